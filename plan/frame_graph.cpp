@@ -192,8 +192,8 @@ class Graph {
 
 std::span<const Use> uses_of(const registry::Entry& entry) {
   if (entry.kind == registry::EntryKind::method) return entry.name == "none" ? std::span<const Use>() : k_shadow_uses;
-  const auto pass = std::ranges::find(render::passes(), &entry, [](const render::Pass* each) { return &each->entry; });
-  return pass == render::passes().end() ? std::span<const Use>() : (*pass)->uses;
+  const render::Pass* const pass = render::pass_of(entry);
+  return pass ? pass->uses : std::span<const Use>();
 }
 
 void compile(Plan& plan) { Graph(plan).compile(); }

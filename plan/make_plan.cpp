@@ -6,6 +6,7 @@
 #include "plan/opacity_runs.h"
 #include "plan/plan.h"
 #include "render/frame.h"
+#include "render/pass.h"
 #include "render/passes/aovs/aovs.h"
 #include "render/passes/velocity/velocity.h"
 #include "sim/solver.h"
@@ -69,6 +70,13 @@ std::uint32_t dispatches_of(const Candidate& candidate, const registry::FrameSha
                                    : 0;
 }
 
+/// What a pass dispatches to ask the fibre model by its formulas.
+std::uint32_t formula_dispatches(const scene::Scene& scene, const Entry& entry, const registry::FrameShape& shape) {
+  const render::Pass* const pass = render::pass_of(entry);
+  return pass && pass->asks_model && scene.material.evaluate == "direct" ? render::k_formula_dispatches * shape.lights
+                                                                         : 0;
+}
+
 /// Whether the CPU's code moves the hair in place of the device's kernels.
 registry::Fact solved_on_cpu(const scene::Scene& scene, const DeviceTraits& device) {
   if (!scene.simulation.solver) return {false, "the hair is not simulated"};
@@ -109,7 +117,9 @@ Plan make_plan(const scene::Scene& scene, const registry::FrameShape& shape, con
     else
       plan.passes.push_back(on_cpu.holds && entry.stage == registry::Stage::simulate
                                 ? PlannedPass{&entry, verdict.reason + "; " + on_cpu.why, 0, 0, true}
-                                : PlannedPass{&entry, verdict.reason, dispatches_of(candidate, shape), entry.draws});
+                                : PlannedPass{&entry, verdict.reason,
+                                              dispatches_of(candidate, shape) + formula_dispatches(scene, entry, shape),
+                                              entry.draws});
   }
   plan.outputs = outputs_of(scene);
   compile(plan);

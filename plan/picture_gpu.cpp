@@ -21,11 +21,6 @@ namespace cuticle::plan {
 
 namespace {
 
-const render::Pass* pass_of(const registry::Entry& entry) {
-  const auto found = std::ranges::find(render::passes(), &entry, [](const render::Pass* pass) { return &pass->entry; });
-  return found == render::passes().end() ? nullptr : *found;
-}
-
 constexpr int k_max_at_once = 4096, k_usual_chunk = 1024;  ///< pixels each way
 
 }  // namespace
@@ -53,7 +48,7 @@ Result<std::unique_ptr<Picture>> Picture::create(std::shared_ptr<gpu::Device> de
 template <class Property>
 Property Picture::planned(Property render::Pass::*property) const {
   for (const PlannedPass& planned : plan_.passes)
-    if (const render::Pass* const pass = pass_of(*planned.entry); pass && pass->*property) return pass->*property;
+    if (const render::Pass* const pass = render::pass_of(*planned.entry); pass && pass->*property) return pass->*property;
   return {};
 }
 
@@ -65,7 +60,7 @@ Result<void> Picture::choose_chunks() {
   if (chunk == 0 && is_large) chunk = k_usual_chunk;
   if (chunk == 0) return {};
   for (const PlannedPass& planned : plan_.passes)
-    if (const render::Pass* const pass = pass_of(*planned.entry); pass && pass->whole_pictures)
+    if (const render::Pass* const pass = render::pass_of(*planned.entry); pass && pass->whole_pictures)
       return bad_input(
           fmt::format("camera.resolution_px: {} x {} in chunks of {}: '{}' draws whole pictures only, of at "
                       "most {} pixels each way",

@@ -176,6 +176,17 @@ TEST(Plan, Dispatches_GrowWithLightsAndSubsteps) {
   EXPECT_GT(find_pass(plan, "classic")->dispatches, 0u);
 }
 
+TEST(Plan, ModelByItsFormulas_TakesTwoDispatchesMoreForEachLight) {
+  const auto dispatches = [](std::string_view method, std::string_view evaluate, std::string_view pass) {
+    return find_pass(planned(fmt::format(R"({}, "render": {{"method": "{}"}}, "material": {{"evaluate": "{}"}})",
+                                         k_full, method, evaluate)),
+                     pass)
+        ->dispatches;
+  };
+  for (const auto& [method, pass] : {std::pair{"tiles", "shade_strands"}, {"lines", "lines"}, {"quads", "quads"}})
+    EXPECT_EQ(dispatches(method, "direct", pass), dispatches(method, "tables", pass) + 2 * 2) << method;
+}
+
 TEST(Plan, ChannelsOfOtherOpacities_AreShadowedApart) {
   const auto with = [](std::string_view alpha) {
     return planned(fmt::format(R"("lights": [{{"to_light": [0, 1, 0], "irradiance": [1, 1, 1]}}],

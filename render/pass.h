@@ -1,5 +1,6 @@
 #pragma once
 // The concept of a render pass: one folder each, with its demands, its shader and its cost.
+#include <algorithm>
 #include <span>
 #include <string_view>
 
@@ -44,8 +45,16 @@ struct Pass {
   /// Of a pass that draws strands: targets by its parameters, and by the sample counts that the device offers.
   TargetShape (*targets)(const PassParameters&, std::span<const int> offered) = nullptr;
   StrandDraw (*strand_draw)(const PassParameters&) = nullptr;
+  /// Whether it asks the fibre model at the strands' vertices: by formulas that takes k_formula_dispatches a light.
+  bool asks_model = false;
 };
+inline constexpr std::uint32_t k_formula_dispatches = 2;  ///< the angles, then the model
 std::span<const Pass* const> passes();
+/// The pass of that entry; null: the entry is none's.
+inline const Pass* pass_of(const registry::Entry& entry) {
+  const auto found = std::ranges::find(passes(), &entry, [](const Pass* each) { return &each->entry; });
+  return found == passes().end() ? nullptr : *found;
+}
 
 inline Pass with_uses(Pass pass, std::span<const Use> uses) {
   pass.uses = uses;

@@ -81,6 +81,7 @@ Pass make() {
   pass.uses = k_uses;
   pass.targets = targets;
   pass.strand_draw = strand_draw;
+  pass.asks_model = true;
   return pass;
 }
 

@@ -70,6 +70,7 @@ Pass make() {
       k_uses);
   pass.targets = targets;
   pass.strand_draw = strand_draw;
+  pass.asks_model = true;
   return pass;
 }
 

@@ -40,8 +40,10 @@ void describe(registry::Members& members, Parameters& p) {
           "interpolate; 0: every vertex is a point");
 }
 
-const Pass& entry() {
-  static const Pass pass = with_uses(
+namespace {
+
+Pass make() {
+  Pass pass = with_uses(
       shading({.name = "shade_strands",
                .summary = "radiance at points of the strands that are seen, fewer where they are far, from the tables",
                .source = "Frostbite, Every Strand Counts (2023): strand-space shading",
@@ -51,6 +53,14 @@ const Pass& entry() {
                .dispatches = dispatches,
                .after = k_after}),
       k_uses);
+  pass.asks_model = true;
+  return pass;
+}
+
+}  // namespace
+
+const Pass& entry() {
+  static const Pass pass = make();
   return pass;
 }
 
