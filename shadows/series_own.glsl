@@ -24,11 +24,16 @@ void read_sums(uint texel) {
   walk_own();
 }
 
-/// The exponent of T before which `share` of the sum `whole` lies: that of fibres at random depths, or of evenly spread
-/// hair where sums are proportional to opacity.
-float exponent_of_share(float whole, float share) {
+/// What the mean fibre counts; 0 where sums are proportional to opacity, which take hair as evenly spread.
+float scattered_fibre() {
   const uint amount = (push.flags & k_poisson) != 0u ? 0u : table[fibre_coverage(fibre_weights, fibre_coverages)];
-  return exponent_of_part(push.per_unit * whole, seen_fibre(push.per_unit * float(amount), lookup_power), share);
+  return push.per_unit * float(amount);
+}
+
+/// The exponent of T before which `share` of the sum `whole` lies.
+float exponent_of_share(float whole, float share) {
+  const float all = push.per_unit * whole, fibre = scattered_fibre();
+  return exponent_of_part(all, seen_fibre(fibres_of(all, fibre), fibre, lookup_power), share);
 }
 
 /// The power of the lookup where fibres lie at random depths; else 1.

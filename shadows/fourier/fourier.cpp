@@ -6,8 +6,10 @@
 namespace cuticle::shadows::fourier {
 namespace {
 
-constexpr registry::StudyCase k_cases[] = {
-    {"1 harmonic", "harmonics=1"}, {"3 harmonics", "harmonics=3"}, {"7 harmonics", "harmonics=7"}};
+constexpr registry::StudyCase k_cases[] = {{"1 harmonic", "harmonics=1"},
+                                           {"3 harmonics", "harmonics=3"},
+                                           {"7 harmonics", "harmonics=7"},
+                                           {"16 harmonics", "harmonics=16"}};
 
 }  // namespace
 

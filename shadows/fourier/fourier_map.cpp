@@ -39,11 +39,13 @@ Result<std::vector<float>> look_up(const SeriesMap& map, const Settings& setting
     const float power = scattered_power(settings.map, seen);
     const float depth = seen_depth(z / float(k_series_steps), settings.harmonics, power);
     const Integrals<float> basis = integrals(depth, settings.harmonics, float(settings.smoothing));
-    return [&map, per_unit, fibre = seen_fibre(fibre, power), depth, basis](std::size_t texel,
-                                                                            std::span<const OwnDeposit> own) {
-      const float whole = map.sum(texel, 0, own);
+    return [&map, per_unit, fibre, power, depth, basis, harmonics = settings.harmonics](
+               std::size_t texel, std::span<const OwnDeposit> own) {
+      const float whole = map.sum(texel, 0, own), all = per_unit * whole;
       if (!(whole > 0)) return 0.0f;
-      return exponent_of_part(per_unit * whole, fibre, share_at(map, basis, depth, whole, texel, own));
+      const float count = fibres_of(all, fibre);
+      return exponent_of_part(all, seen_fibre(count, fibre, power),
+                              seen_share(share_at(map, basis, depth, whole, texel, own), harmonics, count, power));
     };
   };
   return look_up_receivers(map.view, settings.map, float(k_series_steps), k_series_pieces_per_step, asked, at_depth);

@@ -50,9 +50,9 @@ Result<std::vector<float>> look_up(const SeriesMap& map, const Settings& setting
   const auto at_depth = [&](std::size_t, float z, float seen) {
     const float power = scattered_power(settings.map, seen);
     return [&, z, power](std::size_t texel, std::span<const OwnDeposit> own) {
-      const float whole = map.sum(texel, 0, own);
+      const float whole = map.sum(texel, 0, own), all = per_unit * whole;
       if (!(whole > 0)) return 0.0f;
-      return exponent_of_part(per_unit * whole, seen_fibre(fibre, power),
+      return exponent_of_part(all, seen_fibre(fibres_of(all, fibre), fibre, power),
                               share_at(map, settings, texel, z, power, own));
     };
   };

@@ -43,9 +43,10 @@ float even_sum(const Around& around) {
 
 /// The exponent there of fibres that lie between the slices at random depths, `fibre` each; `power`: seen_power().
 float scattered_exponent(const Around& around, float per_unit, float fibre, float power) {
-  const float between = float(around.farther - std::min(around.nearer, around.farther));
-  return per_unit * float(around.nearer) +
-         seen_exponent(exponent_of_part(per_unit * between, fibre, around.share), power);
+  const float nearer = per_unit * float(around.nearer),
+              between = per_unit * float(around.farther - std::min(around.nearer, around.farther));
+  return nearer +
+         seen_exponent(fibres_of(between, fibre), exponent_of_part(between, fibre, around.share), nearer, power);
 }
 
 /// To the 11 significant bits of a half float, ties to even.

@@ -32,8 +32,9 @@ float exponent_at(uint texel, float z) {
   const uint farther = sums[first + slice_behind] - own_farther;
   const float share = limited - float(slice_behind);
   if ((push.flags & k_scattered) == 0u) return push.per_unit * between_planes(float(nearer), float(farther), share);
-  const float between = push.per_unit * float(farther - min(nearer, farther));
-  return push.per_unit * float(nearer) + seen_exponent(exponent_of_part(between, fibre_exponent, share), lookup_power);
+  const float before = push.per_unit * float(nearer), between = push.per_unit * float(farther - min(nearer, farther));
+  const float exponent = exponent_of_part(between, fibre_exponent, share);
+  return before + seen_exponent(fibres_of(between, fibre_exponent), exponent, before, lookup_power);
 }
 
 void main() {
