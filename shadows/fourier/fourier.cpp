@@ -9,7 +9,7 @@ namespace {
 constexpr registry::StudyCase k_cases[] = {{"1 harmonic", "harmonics=1"},
                                            {"3 harmonics", "harmonics=3"},
                                            {"7 harmonics", "harmonics=7"},
-                                           {"16 harmonics", "harmonics=16"}};
+                                           {"15 harmonics", "harmonics=15"}};
 
 }  // namespace
 

@@ -11,7 +11,7 @@ namespace cuticle::shadows::fourier {
 /// The method's parameters, in SI units.
 struct Settings {
   MapSettings map{.method = "fourier"};
-  std::uint32_t harmonics = 16;
+  std::uint32_t harmonics = 15;
   double smoothing = 0;
   std::uint32_t functions() const { return 2 * harmonics + 1; }
   Result<void> check() const { return check_map_bytes(map, functions()); }
