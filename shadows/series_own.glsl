@@ -24,22 +24,22 @@ void read_sums(uint texel) {
   walk_own();
 }
 
-/// What the mean fibre counts; 0 where sums are proportional to opacity, which take hair as evenly spread.
-float scattered_fibre() {
-  const uint amount = (push.flags & k_poisson) != 0u ? 0u : table[fibre_coverage(fibre_weights, fibre_coverages)];
-  return push.per_unit * float(amount);
-}
+/// What the mean fibre counts, set once a lookup; 0 where sums are proportional to opacity, which take hair as evenly
+/// spread.
+float scattered_fibre;
 
 /// The exponent of T before which `share` of the sum `whole` lies.
 float exponent_of_share(float whole, float share) {
-  const float all = push.per_unit * whole, fibre = scattered_fibre();
-  return exponent_of_part(all, seen_fibre(fibres_of(all, fibre), fibre, lookup_power), share);
+  const float all = push.per_unit * whole;
+  return exponent_of_part(all, seen_fibre(fibres_of(all, scattered_fibre), scattered_fibre, lookup_power), share);
 }
 
 /// The power of the lookup where fibres lie at random depths; else 1.
 float scattered_power() { return (push.flags & k_poisson) != 0u ? 1.0 : lookup_power; }
 
 void look_up(uint v) {
+  const uint amount = (push.flags & k_poisson) != 0u ? 0u : table[fibre_coverage(fibre_weights, fibre_coverages)];
+  scattered_fibre = push.per_unit * float(amount);
   const float through = transmittance_of_vertex(placement_of(least), v, float(k_series_steps));
   if (through >= 0.0) transmittance[v] = through;
 }

@@ -23,7 +23,7 @@ float exponent_at(uint texel, float z) {
   known_z = z;
   float sum = 0.0;
   for (uint i = 0u; i < push.layers; ++i) sum += basis.of[i] * float(sums_left[i]);
-  const float count = fibres_of(push.per_unit * whole, scattered_fibre());
+  const float count = fibres_of(push.per_unit * whole, scattered_fibre);
   return exponent_of_share(whole, seen_share(clamp(sum / whole, 0.0, 1.0), harmonics, count, scattered_power()));
 }
 
