@@ -23,6 +23,7 @@ scene::Scene scene_of(std::string_view fields) {
 
 registry::FrameShape shape() {
   registry::FrameShape shape;
+  shape.strands = 100;
   shape.vertices = 1000;
   shape.segments = 900;
   shape.lights = 1;

@@ -75,7 +75,8 @@ std::string cache_folder() {
 
 double units_of(const registry::Entry& entry, const registry::FrameShape& shape) {
   if (entry.stage == registry::Stage::simulate) return double(shape.control_vertices) * shape.substeps;
-  if (entry.kind == registry::EntryKind::method) return double(shape.segments) * shape.lights;
+  const std::uint32_t parts = shape.vertices - shape.strands;  // of segments, at whose ends shadow is looked up
+  if (entry.kind == registry::EntryKind::method) return double(parts) * shape.lights;
   return shape.vertices;
 }
 

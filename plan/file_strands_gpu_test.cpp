@@ -157,6 +157,24 @@ TEST(StrandsOfAFile, ShorterThanTheLongest_CoverAndShadowAsThoseCutIntoAsManySeg
   }
 }
 
+// Of a segment that shows in part, the parts behind other hair are not shaded.
+TEST(StrandsOfAFile, InPartsThatDoNotShow_GiveTheSamePicture) {
+  const std::string path = written(arcs(2000, {5, 12}, 900e-6f), "hidden_parts.npz");
+  constexpr std::string_view lit = R"("lights": [{"to_light": [0.3, 0.6, 1], "irradiance": [6, 6, 6]}],
+    "material": {"model": {"kajiya_kay": {}}, "evaluate": "direct"}, "shadow": {"method": {"shadow_map": {"resolution": 128}}})";
+  const auto drawn = [&](std::string_view passes) {
+    return frame_of(*runner_of(of_file(path, R"(, "segment_parts": 8)"), k_tiles, fmt::format("{}{}", lit, passes)), 0);
+  };
+  const FrameResult few = drawn(""), all = drawn(R"(, "passes": {"seen_vertices": {"wanted": false}})");
+  EXPECT_TRUE(few.color.pixels == all.color.pixels);
+  int shaded = -1, count = -1;
+  for (const std::string& note : few.notes) std::sscanf(note.c_str(), "seen_vertices: %d of %d", &shaded, &count);
+  fmt::print("{} of {} vertices shaded\n", shaded, count);
+  EXPECT_EQ(count, 2000 * (11 * 8 + 1));
+  EXPECT_GT(shaded, 0.05 * count);
+  EXPECT_LT(shaded, 0.5 * count);
+}
+
 // Measured: 1; where each part is a line of its own .923 and .959.
 TEST(Lines, SegmentsCutIntoParts_CoverAsMuchAsWholeOnes) {
   for (const float radius : {1e-4f, 4e-4f}) {

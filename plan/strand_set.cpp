@@ -243,7 +243,7 @@ registry::FrameShape shape_of(const scene::Scene& scene, const StrandSet& set) {
   const auto each = std::uint32_t(drawn_vertices(scene, set));
   shape.strands = std::uint32_t(drawn_strands(scene, set));
   shape.vertices = shape.strands * each;
-  shape.segments = shape.strands * (each - 1);
+  shape.segments = shape.strands * ((each - 1) / set.segment_parts);
   shape.lights = std::uint32_t(scene.lights.size());
   if (!scene.simulation.solver) return shape;
   const auto solver = sim::find_effect(scene.simulation.solver->name);

@@ -13,6 +13,6 @@ uint listed_item(uint place, uint per_strand) {
   const uint strand = place / per_strand;
   return strand < listed_strands ? listed[strand] * per_strand + place % per_strand : k_not_listed;
 }
-/// The vertex, or segment, with this number among those of the listed strands; past the last k_not_listed.
+/// The vertex, or segment of so many parts, with this number among those of the listed strands; past the last k_not_listed.
 uint listed_vertex(uint place) { return listed_item(place, listed_row); }
-uint listed_segment(uint place) { return listed_item(place, listed_row - 1u); }
+uint listed_segment(uint place, uint parts) { return listed_item(place, (listed_row - 1u) / parts); }

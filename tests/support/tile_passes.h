@@ -44,6 +44,7 @@ class Tiles {
     resources_.edit<render::DrawnHair>().tangents = &tangents_;
     resources_.edit<render::shade_strands::StrandColors>().values = &colors_;
     resources_.edit<render::DrawnHair>().vertices_per_strand = 2;
+    resources_.edit<render::DrawnHair>().segment_parts = drawing.segment_parts;
     resources_.edit<render::Targets>().color = resources_.edit<render::Targets>().resolved = &color_;
     resources_.edit<render::Targets>().depth = &depth_;
     resources_.edit<render::Targets>().supersampling = 1;

@@ -61,7 +61,7 @@ class FindSeen : public GpuPass {
  private:
   std::shared_ptr<gpu::Device> device_;
   Kernels kernels_;
-  gpu::Buffer marks_;  ///< a word per vertex: the segment that begins there is seen
+  gpu::Buffer marks_;  ///< a word per vertex: the part of a segment that begins there is seen
   tiles::FineForm form_;
   SeenVertices seen_;
   std::uint32_t all_ = 0;  ///< vertices of the frame recorded last
@@ -90,7 +90,7 @@ Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, con
   CUTICLE_ASSIGN(seen.bits, device->make_buffer(word * ((vertices + 31) / 32)));
   CUTICLE_ASSIGN(seen.list, device->make_buffer(word * (k_list_head + vertices)));
   if (form.reads_records) {
-    CUTICLE_ASSIGN(seen.records, tiles::Records::make(*device, vertices));
+    CUTICLE_ASSIGN(seen.records, tiles::Records::make(*device, resources.get<DrawnHair>()));
   }
   return std::unique_ptr<GpuPass>(
       std::make_unique<FindSeen>(std::move(device), std::move(kernels), std::move(marks), form, std::move(seen)));
@@ -98,7 +98,7 @@ Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, con
 
 std::uint32_t dispatches(const gpu::DeviceInfo& device, const PassParameters& parameters,
                          const registry::FrameShape& shape) {
-  return 3 + tiles::prepare_dispatches(device, parameters, shape.vertices);
+  return 3 + tiles::prepare_dispatches(device, parameters, shape);
 }
 
 }  // namespace

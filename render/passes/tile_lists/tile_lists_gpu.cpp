@@ -149,12 +149,13 @@ Result<Kernels> make_kernels(gpu::Device& device, const Resources& resources) {
                                                  {1, gpu::TextureFormat::rgba32f},
                                                  {2, gpu::TextureFormat::r32u},
                                                  {3, gpu::TextureFormat::r32f}};  // of tile_walk.glsl
+  const std::uint32_t parts = resources.get<DrawnHair>().segment_parts;
   Kernels kernels;
   CUTICLE_ASSIGN(kernels.scene, device.make_kernel(tile_scene_comp, {2, 1, bytes}));
-  CUTICLE_ASSIGN(kernels.count, device.make_kernel(tile_count_comp, {8, 0, bytes, {}, walked}));
+  CUTICLE_ASSIGN(kernels.count, device.make_kernel(tile_count_comp, {8, 0, bytes, {parts}, walked}));
   CUTICLE_ASSIGN(kernels.scan,
                  device.make_kernel(tile_scan_comp, {3, 0, bytes, {scan_lanes(device.info(), resources)}}));
-  CUTICLE_ASSIGN(kernels.scatter, device.make_kernel(tile_scatter_comp, {7, 0, bytes, {}, walked}));
+  CUTICLE_ASSIGN(kernels.scatter, device.make_kernel(tile_scatter_comp, {7, 0, bytes, {parts}, walked}));
   return kernels;
 }
 
@@ -176,7 +177,8 @@ Result<TileLists> make_lists(gpu::Device& device, const Resources& resources) {
 
 /// A first guess; the first frame's count corrects it.
 std::uint64_t likely_entries(const Resources& resources) {
-  return 2 * std::uint64_t(resources.get<DrawnHair>().strands.segment_count);
+  const DrawnHair& hair = resources.get<DrawnHair>();
+  return 2 * std::uint64_t(hair.strands.segment_count / hair.segment_parts);
 }
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
@@ -211,8 +213,8 @@ TilePush push_of(const Resources& resources, const TileLists& lists) {
   push.part = glm::uvec2(drawn_size(resources));
   push.corner = std::uint32_t(view.part_corner.x) / k_tile | std::uint32_t(view.part_corner.y) / k_tile << 16;
   const visibility::DrawnPart part = visibility::drawn_part(resources, parameters_of<Parameters>(resources).full_px);
-  push.segment_count = hair.strands.segment_count;
-  if (part.width > 1) push.segment_count = part.strands * (hair.vertices_per_strand - 1);
+  push.segment_count = hair.strands.segment_count / hair.segment_parts;
+  if (part.width > 1) push.segment_count = part.strands * ((hair.vertices_per_strand - 1) / hair.segment_parts);
   push.vertices_per_strand = hair.vertices_per_strand;
   push.capacity = lists.capacity;
   push.supersampling = targets.keep ? std::uint32_t(targets.supersampling) : 0;

@@ -15,10 +15,10 @@ void visit(uint tile, uint vertex, float inverse_depth) {
 }
 
 void main() {
-  uint segment = listed_segment(invocation());
+  uint segment = listed_segment(invocation(), k_parts);
   if (segment >= push.segment_count) return;
-  uint vertex = texelFetch(segments, int(segment)).r;
-  vec4 a = texelFetch(vertices, int(vertex)), b = texelFetch(vertices, int(vertex + 1u));
+  uint vertex = first_vertex(segment);
+  vec4 a = texelFetch(vertices, int(vertex)), b = texelFetch(vertices, int(vertex + k_parts));
   Projected p;
   if (is_finite(a) && is_finite(b) && is_kept(vertex) && project(a, b, p)) walk(vertex, p);
 }

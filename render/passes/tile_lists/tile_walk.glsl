@@ -3,21 +3,25 @@
 #include "gpu/groups.glsl"
 #include "render/randomness/strand_chance.glsl"
 #include "render/passes/tile_lists/segment.glsl"
+#define PARTS_CONSTANT 0
+#include "render/passes/tile_lists/segment_parts.glsl"
 
 layout(binding = 0) uniform samplerBuffer vertices;
 layout(binding = 1) uniform samplerBuffer tangents;
-layout(binding = 2) uniform usamplerBuffer segments;
+layout(binding = 2) uniform usamplerBuffer segments;   // of all parts
 layout(binding = 3) uniform samplerBuffer tile_depth;  // 1 / distance of the farthest scene
 
 const float k_half_tile = 0.5 * float(k_tile);
 const uint k_thinning = 5u;                         // purpose of a chance
+
+uint first_vertex(uint segment) { return texelFetch(segments, int(segment * k_parts)).r; }
 
 /// A tile that the segment may cover, and 1 / its depth where it passes the tile's middle.
 void visit(uint tile, uint vertex, float inverse_depth);
 
 // A segment that chance takes away: the tip of a strand, or one of too many.
 bool is_kept(uint vertex) {
-  return texelFetch(tangents, int(vertex + 1u)).w <= kept_length(vertex / push.vertices_per_strand, push.tip_variation) &&
+  return texelFetch(tangents, int(vertex + k_parts)).w <= kept_length(vertex / push.vertices_per_strand, push.tip_variation) &&
          mixed(vertex, k_thinning) < push.kept_share;
 }
 

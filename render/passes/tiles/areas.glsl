@@ -22,7 +22,8 @@ void draw(Prepared own, vec2 first_pixel) {
     float at = clamp(s, -half_length, half_length), inverse_depth = middle.w + at * change.w;
     float covered = clamp((size.x - abs(d)) * push.opacity, 0.0, size.y);
     covered *= clamp(size.z - abs(s), 0.0, size.w);
-    take(k, own.vertex, inverse_depth >= scene[k] ? covered : 0.0, middle.rgb + at * change.rgb, inverse_depth);
+    take(k, vertex_at(own, at, inverse_depth), inverse_depth >= scene[k] ? covered : 0.0,
+         color_at(own, at, inverse_depth), inverse_depth);
   }
-  end_segment(own.vertex);
+  end_segment();
 }

@@ -6,6 +6,7 @@
 #extension GL_EXT_control_flow_attributes : require
 #include "render/passes/tile_lists/tile_of_group.glsl"
 #include "render/passes/tiles/projected_segment.glsl"
+#include "render/passes/tiles/part_colors.glsl"
 #include "render/visibility/seen.glsl"
 
 layout(constant_id = 0) const uint k_says_seen = 0u;  // 1: `seen` is wanted
@@ -27,9 +28,9 @@ uint seen_vertex[k_block], samples[k_block], looked_at;
 // Whether a segment whose 1 / depth in the tile lies between the two is left out of what is being drawn.
 bool depth_culled(float least, float most);
 
-// A segment covers a share of a pixel of the block, in front of the scene.
+// The part of a segment that begins at a vertex covers a share of a pixel of the block, in front of the scene.
 void take(int k, uint vertex, float covered, vec3 color, float inverse_depth);
-void end_segment(uint vertex);  // it has been drawn on all pixels of the block
+void end_segment();  // it has been drawn on all pixels of the block
 
 uint vertex_of(uint entry) { return texelFetch(ordered, int(2u * entry + 1u)).r; }
 
@@ -44,11 +45,12 @@ Prepared set_up(uint entry, uint end, vec2 tile_middle) {
   vec2 ends = own.inverse_depth + own.depth_slope * clamp(vec2(s - reach, s + reach), -half_length, half_length);
   used = used && !depth_culled(min(ends.x, ends.y), max(ends.x, ends.y));
   float per_pixel = len > k_shortest ? 1.0 / len : 0.0;
+  vec3 shade[2] = vec3[2](0.5 * (own.first + own.last), (own.last - own.first) * per_pixel);
+  if (k_parts > 1u) shade = parts_of(own, per_pixel);
   return Prepared(own.axis,
                   vec4(half_width + 0.5, used ? min(1.0, 2.0 * half_width) * push.opacity : 0.0, half_length + 0.5,
                        min(1.0, len)),
-                  vec4(0.5 * (own.first + own.last), own.inverse_depth),
-                  vec4((own.last - own.first) * per_pixel, own.depth_slope), vertex);
+                  vec4(shade[0], own.inverse_depth), vec4(shade[1], own.depth_slope), vertex);
 }
 
 // The first pixel of a tile of the part that is drawn.

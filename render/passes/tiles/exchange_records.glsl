@@ -11,7 +11,7 @@
 layout(binding = 0) uniform usamplerBuffer records;
 
 ProjectedSegment segment_from_vertex(uint vertex) {
-  int first = int(k_record_texels * vertex);
+  int first = int(k_record_texels * record_place(vertex));
   return recorded_segment(texelFetch(records, first), texelFetch(records, first + 1), texelFetch(records, first + 2));
 }
 

@@ -15,26 +15,31 @@ namespace {
 constexpr std::size_t k_record_bytes = 48;  // k_record_texels of projected_segment.glsl
 
 /// Where a subgroup is a tile's eight and runs in software: there every lane reads a segment faster than one tells it.
-bool reads_records(const gpu::DeviceInfo& device, const PassParameters& parameters, std::size_t vertices) {
+bool reads_records(const gpu::DeviceInfo& device, const PassParameters& parameters, std::size_t records) {
   return parameters_of<tile_sort::Parameters>(parameters).slices == 0 &&
          tile_lists::lanes_of(device, parameters) == tile_lists::k_tile && device.is_software &&
          device.subgroup_size == tile_lists::k_tile && device.subgroup_broadcast &&
-         vertices * k_record_bytes <= device.max_texel_buffer_bytes;
+         records * k_record_bytes <= device.max_texel_buffer_bytes;
 }
 
-/// Vertices whose records one binding holds.
-std::size_t vertices_of_a_part(const gpu::DeviceInfo& device) {
-  constexpr std::size_t k_step = 16;  ///< vertices whose records end where a part may begin
+/// Room for the records of segments that begin at any of the vertices, each so many after the one before (record_place
+/// of projected_segment.glsl).
+std::size_t records_of(std::size_t vertices, std::uint32_t parts) { return (vertices + parts - 1) / parts; }
+
+/// Records that one binding holds.
+std::size_t records_of_a_part(const gpu::DeviceInfo& device) {
+  constexpr std::size_t k_step = 16;  ///< records that end where a part may begin
   return device.max_storage_buffer_bytes / (k_step * k_record_bytes) * k_step;
 }
 
-Result<gpu::Kernel> make_prepare(gpu::Device& device, std::size_t first, std::size_t count, bool has_colors) {
+Result<gpu::Kernel> make_prepare(gpu::Device& device, std::size_t first, std::size_t count, bool has_colors,
+                                 std::uint32_t segment_parts) {
   return device.make_kernel(
       tiles_prepare_comp,
       {4,
        0,
        sizeof(tile_lists::TilePush),
-       {std::uint32_t(first), std::uint32_t(count), has_colors ? 1u : 0u},
+       {std::uint32_t(first), std::uint32_t(count), has_colors ? 1u : 0u, segment_parts},
        {{0, gpu::TextureFormat::rgba32f}, {1, gpu::TextureFormat::rgba16f}, {2, gpu::TextureFormat::r32u}}});
 }
 
@@ -45,9 +50,10 @@ FineForm fine_form(const gpu::DeviceInfo& device, const Resources& resources) {
   const bool sliced = parameters_of<tile_sort::Parameters>(resources).slices > 0;
   const std::uint32_t rows = parameters.coverage_rows;
   const bool spans = !sliced && rows > 0 && parameters.opacity >= 1;
-  const std::size_t vertices = resources.get<DrawnHair>().strands.vertex_count;
-  return {spans, reads_records(device, resources.parameters, vertices), std::max(rows, 1u),
-          tile_lists::lanes_of(device, resources.parameters)};
+  const DrawnHair& hair = resources.get<DrawnHair>();
+  const std::size_t records = records_of(hair.strands.vertex_count, hair.segment_parts);
+  return {spans, reads_records(device, resources.parameters, records), std::max(rows, 1u),
+          tile_lists::lanes_of(device, resources.parameters), hair.segment_parts};
 }
 
 gpu::ShaderInterface fine_interface(const FineForm& form, std::uint32_t buffers, bool says_seen) {
@@ -55,19 +61,20 @@ gpu::ShaderInterface fine_interface(const FineForm& form, std::uint32_t buffers,
   return {buffers,
           0,
           sizeof(tile_lists::TilePush),
-          {says_seen ? 1u : 0u, form.rows, form.lanes},
+          {says_seen ? 1u : 0u, form.rows, form.lanes, form.parts},
           {{0, first}, {1, gpu::TextureFormat::rgba16f}, {3, gpu::TextureFormat::r32u}}};
 }
 
-Result<Records> Records::make(gpu::Device& device, std::size_t vertices) {
-  const std::size_t most = vertices_of_a_part(device.info());
+Result<Records> Records::make(gpu::Device& device, const DrawnHair& hair) {
+  const std::size_t all = records_of(hair.strands.vertex_count, hair.segment_parts);
+  const std::size_t most = records_of_a_part(device.info());
   Records made;
-  CUTICLE_ASSIGN(made.all_, device.make_texel_buffer(vertices * k_record_bytes));
-  for (std::size_t first = 0; first < vertices; first += most) {
-    const std::size_t count = std::min(most, vertices - first);
+  CUTICLE_ASSIGN(made.all_, device.make_texel_buffer(all * k_record_bytes));
+  for (std::size_t first = 0; first < all; first += most) {
+    const std::size_t count = std::min(most, all - first);
     Part part;
-    CUTICLE_ASSIGN(part.colored, make_prepare(device, first, count, true));
-    CUTICLE_ASSIGN(part.bare, make_prepare(device, first, count, false));
+    CUTICLE_ASSIGN(part.colored, make_prepare(device, first, count, true, hair.segment_parts));
+    CUTICLE_ASSIGN(part.bare, make_prepare(device, first, count, false, hair.segment_parts));
     part.records = gpu::part_of(made.all_, first * k_record_bytes, count * k_record_bytes);
     made.parts_.push_back(std::move(part));
   }
@@ -85,10 +92,12 @@ void Records::record(gpu::Commands& commands, const Resources& resources, const 
 }
 
 std::uint32_t prepare_dispatches(const gpu::DeviceInfo& device, const PassParameters& parameters,
-                                 std::size_t vertices) {
-  if (!reads_records(device, parameters, vertices)) return 0;
-  const std::size_t most = vertices_of_a_part(device);
-  return std::uint32_t((vertices + most - 1) / most);
+                                 const registry::FrameShape& shape) {
+  const std::uint32_t between = shape.vertices - shape.strands;  // each part takes one vertex more
+  const std::size_t records = records_of(shape.vertices, shape.segments > 0 ? between / shape.segments : 1);
+  if (!reads_records(device, parameters, records)) return 0;
+  const std::size_t most = records_of_a_part(device);
+  return std::uint32_t((records + most - 1) / most);
 }
 
 }  // namespace cuticle::render::tiles

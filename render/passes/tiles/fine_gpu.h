@@ -11,6 +11,7 @@ namespace cuticle::render::tiles {
 struct FineForm {
   bool spans = false, reads_records = false;
   std::uint32_t rows = 1, lanes = 8;
+  std::uint32_t parts = 1;  ///< of a segment, between which its colours are interpolated
 };
 /// The form of a picture whose strands are sorted, or blended by slices.
 FineForm fine_form(const gpu::DeviceInfo& device, const Resources& resources);
@@ -18,18 +19,18 @@ FineForm fine_form(const gpu::DeviceInfo& device, const Resources& resources);
 /// Of the fine rasteriser's kernels, by how many buffers they bind; `says_seen`: they write SeenHair.
 gpu::ShaderInterface fine_interface(const FineForm& form, std::uint32_t buffers, bool says_seen);
 
-/// Segments projected once a frame, one record for each vertex, which the lanes of a tile read on software Vulkan.
+/// Segments projected once a frame, which the lanes of a tile read on software Vulkan.
 class Records {
  public:
-  /// For so many vertices. Errors: of the device.
-  static Result<Records> make(gpu::Device& device, std::size_t vertices);
+  /// Errors: of the device.
+  static Result<Records> make(gpu::Device& device, const DrawnHair& hair);
   /// Without colours (null) for what only looks where segments are.
   void record(gpu::Commands& commands, const Resources& resources, const tile_lists::TilePush& push,
               const gpu::Buffer* colors) const;
   const gpu::Buffer& all() const { return all_; }
 
  private:
-  /// What projects the segments that begin at some of the vertices, for as many records as one binding holds.
+  /// What projects some of the segments, as many as one binding holds records.
   struct Part {
     gpu::Kernel colored, bare;
     gpu::Buffer records;  ///< a part of all
@@ -38,6 +39,7 @@ class Records {
   std::vector<Part> parts_;
 };
 /// Dispatches of Records::record; 0 where nothing reads records.
-std::uint32_t prepare_dispatches(const gpu::DeviceInfo& device, const PassParameters& parameters, std::size_t vertices);
+std::uint32_t prepare_dispatches(const gpu::DeviceInfo& device, const PassParameters& parameters,
+                                 const registry::FrameShape& shape);
 
 }  // namespace cuticle::render::tiles

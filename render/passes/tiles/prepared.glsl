@@ -25,7 +25,8 @@ int pixel_of(int k) { return int(own_lane() % k_sharers) * k_block + k; }
 uvec2 in_block(int k) { return turned(uvec2(pixel_of(k) & 1, pixel_of(k) >> 1)); }
 
 // The axis: pixel q lies cross(xy, q) + z across it and dot(xy, q) + w along it. Extents and limits of the coverage
-// across and along. Colour and 1 / depth at the middle of the axis, and how they change per pixel.
+// across and along. Colour (or parts_of of part_colors.glsl) and 1 / depth at the middle of the axis, and how they change
+// per pixel.
 struct Prepared {
   vec4 axis, extent, shade, slope;
   uint vertex;  // the first

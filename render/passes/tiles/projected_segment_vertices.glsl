@@ -2,13 +2,14 @@
 #include "render/passes/tiles/projected_segment.glsl"
 
 layout(binding = 0) uniform samplerBuffer vertices;
-layout(binding = 1) uniform samplerBuffer colors;
+#include "render/passes/tiles/vertex_colors.glsl"
 
 #ifndef COLOR_OF  // a vertex's colour, where not all are wanted
 #define COLOR_OF(vertex) texelFetch(colors, int(vertex)).rgb
 #endif
 
 ProjectedSegment segment_from_vertex(uint vertex) {
-  return projected_segment(texelFetch(vertices, int(vertex)), texelFetch(vertices, int(vertex + 1u)), COLOR_OF(vertex),
-                           COLOR_OF(vertex + 1u));
+  vec4 a = texelFetch(vertices, int(vertex)), b = texelFetch(vertices, int(vertex + k_parts));
+  if (k_parts > 1u) return projected_segment(a, b, vec3(0.0), vec3(0.0));
+  return projected_segment(a, b, COLOR_OF(vertex), COLOR_OF(vertex + 1u));
 }

@@ -93,7 +93,7 @@ void draw(Prepared own, vec2 first_pixel) {
       fresh += bitCount(span & ~spans[row]);
       spans[row] |= span;
     }
-    take(k, own.vertex, float(fresh) * share, middle.rgb + at * change.rgb, inverse_depth);
+    take(k, vertex_at(own, at, inverse_depth), float(fresh) * share, color_at(own, at, inverse_depth), inverse_depth);
   }
-  end_segment(own.vertex);
+  end_segment();
 }

@@ -114,7 +114,7 @@ Result<Fine> make_fine(gpu::Device& device, const Resources& resources) {
   if (const auto* const seen = resources.find<seen_vertices::SeenVertices>())
     fine.made = &seen->records;
   else if (fine.form.reads_records) {
-    CUTICLE_ASSIGN(fine.own, Records::make(device, resources.get<DrawnHair>().strands.vertex_count));
+    CUTICLE_ASSIGN(fine.own, Records::make(device, resources.get<DrawnHair>()));
   }
   return fine;
 }
@@ -140,7 +140,7 @@ Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, con
 /// The fine rasteriser, and what projects segments for it.
 std::uint32_t dispatches(const gpu::DeviceInfo& device, const PassParameters& parameters,
                          const registry::FrameShape& shape) {
-  return 1 + prepare_dispatches(device, parameters, shape.vertices);
+  return 1 + prepare_dispatches(device, parameters, shape);
 }
 
 }  // namespace

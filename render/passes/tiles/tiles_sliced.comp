@@ -40,7 +40,7 @@ void take(int k, uint vertex, float covered, vec3 color, float inverse_depth) {
   if (weight > slice_seen[place].x) slice_seen[place] = vec2(weight, uintBitsToFloat(vertex));
 }
 
-void end_segment(uint vertex) {}
+void end_segment() {}
 
 void empty_slices() {
   for (uint slice = 0u; slice < k_at_once; ++slice)

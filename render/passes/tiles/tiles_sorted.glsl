@@ -26,7 +26,7 @@ void take(int k, uint vertex, float covered, vec3 color, float inverse_depth) {
   }
 }
 
-void end_segment(uint vertex) {}
+void end_segment() {}
 void end_picture(uvec2 block) { end_block(block); }
 #endif
 
