@@ -165,7 +165,9 @@ TEST(StrandsOfAFile, InPartsThatDoNotShow_GiveTheSamePicture) {
   const auto drawn = [&](std::string_view passes) {
     return frame_of(*runner_of(of_file(path, R"(, "segment_parts": 8)"), k_tiles, fmt::format("{}{}", lit, passes)), 0);
   };
-  const FrameResult few = drawn(""), all = drawn(R"(, "passes": {"seen_vertices": {"wanted": false}})");
+  constexpr std::string_view whole = R"("tile_lists": {"whole_segments": true})";
+  const FrameResult few = drawn(fmt::format(R"(, "passes": {{{}}})", whole)),
+                    all = drawn(fmt::format(R"(, "passes": {{{}, "seen_vertices": {{"wanted": false}}}})", whole));
   EXPECT_TRUE(few.color.pixels == all.color.pixels);
   int shaded = -1, count = -1;
   for (const std::string& note : few.notes) std::sscanf(note.c_str(), "seen_vertices: %d of %d", &shaded, &count);

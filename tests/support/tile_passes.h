@@ -56,6 +56,7 @@ class Tiles {
     set(render::tile_lists::entry(), "budget_mib", drawing.budget_mib);
     resources_.parameters["tile_lists"].set("full_px", drawing.full_px);
     resources_.parameters["tile_lists"].set("lanes", drawing.lanes);
+    resources_.parameters["tile_lists"].set("whole_segments", drawing.segment_parts > 1);
     resources_.edit<render::DrawnHair>().strands.bounds = {{-4, -4, -1}, {4, 4, 1}};
     scene_ = std::vector<float>(std::size_t(drawing.size * drawing.size), drawing.scene_depth);
     for (std::size_t side = std::size_t(drawing.size), last = side - 1; drawing.has_gap && last < scene_.size();

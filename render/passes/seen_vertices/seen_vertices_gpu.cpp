@@ -90,7 +90,7 @@ Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, con
   CUTICLE_ASSIGN(seen.bits, device->make_buffer(word * ((vertices + 31) / 32)));
   CUTICLE_ASSIGN(seen.list, device->make_buffer(word * (k_list_head + vertices)));
   if (form.reads_records) {
-    CUTICLE_ASSIGN(seen.records, tiles::Records::make(*device, resources.get<DrawnHair>()));
+    CUTICLE_ASSIGN(seen.records, tiles::Records::make(*device, resources));
   }
   return std::unique_ptr<GpuPass>(
       std::make_unique<FindSeen>(std::move(device), std::move(kernels), std::move(marks), form, std::move(seen)));

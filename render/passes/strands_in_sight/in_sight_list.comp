@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// One workgroup: the list of the strands in sight, in their order, and how many workgroups their vertices and whole
-// segments take.
+// One workgroup: the list of the strands in sight, in their order, and how many workgroups their vertices and segments
+// take.
 layout(local_size_x = 256) in;
 #include "render/passes/strands_in_sight/in_sight_push.glsl"
 
@@ -22,7 +22,7 @@ void main() {
   count = listed;
   row = vertices_per_strand;
   const uvec3 of_vertices = groups_for(listed * vertices_per_strand),
-              of_segments = groups_for(listed * ((vertices_per_strand - 1u) / segment_parts));
+              of_segments = groups_for(listed * (vertices_per_strand - 1u));
   for (int axis = 0; axis < 3; ++axis) {
     vertex_groups[axis] = of_vertices[axis];
     segment_groups[axis] = of_segments[axis];

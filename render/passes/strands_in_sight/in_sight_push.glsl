@@ -3,5 +3,5 @@ layout(push_constant) uniform Push {
   mat4 world_to_clip;
   vec2 side;         // of the picture with its margin, over half the picture
   vec2 per_radius;   // what a radius adds to it, over half the picture at a distance of 1
-  uint strand_count, vertices_per_strand, segment_parts;
+  uint strand_count, vertices_per_strand;
 };

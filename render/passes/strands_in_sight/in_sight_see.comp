@@ -23,7 +23,7 @@ void main() {
   const uint strand = invocation();
   if (strand >= strand_count) return;
   uint beyond = 31u;
-  for (uint k = 0u; k < vertices_per_strand && beyond != 0u; k += segment_parts)
+  for (uint k = 0u; k < vertices_per_strand && beyond != 0u; ++k)
     beyond &= sides_beyond(vertices[strand * vertices_per_strand + k]);
   if (beyond == 0u) atomicOr(seen[strand >> 5], 1u << (strand & 31u));
 }

@@ -22,7 +22,7 @@ constexpr double k_margin_px = 2.0;  ///< beside it, for small pictures and line
 struct Push {
   glm::mat4 world_to_clip;
   glm::vec2 side, per_radius;
-  std::uint32_t strand_count, vertices_per_strand, segment_parts;
+  std::uint32_t strand_count, vertices_per_strand;
 };
 
 Push push_of(const Resources& resources) {
@@ -37,7 +37,6 @@ Push push_of(const Resources& resources) {
   push.side = glm::vec2(1 + 2 * k_margin + 2 * k_margin_px / glm::dvec2(view.camera.resolution));
   push.per_radius = glm::vec2(wider * glm::abs(glm::dvec2(to_clip[0][0], to_clip[1][1])));
   push.vertices_per_strand = hair.vertices_per_strand;
-  push.segment_parts = hair.segment_parts;
   push.strand_count = hair.strands.vertex_count / std::max(1u, hair.vertices_per_strand);
   return push;
 }

@@ -30,6 +30,10 @@ void describe(registry::Members& members, Parameters& p) {
   members(p.lanes, "lanes", 0, 64,
           "invocations that draw a tile: 8, 32 or 64 (another number is the next of these below it, or 8); 0: as suits "
           "the device");
+  members(
+      p.whole_segments, "whole_segments",
+      "true: a segment with parts (groom.segment_parts) is drawn as one, with the light of their ends, faster; what "
+      "of it shows within a pixel is not told apart");
 }
 
 namespace {

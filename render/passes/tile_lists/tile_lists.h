@@ -9,6 +9,7 @@ struct Parameters {
   static constexpr std::string_view name = "tile_lists";
   double budget_mib = 96, full_px = 0;
   std::uint32_t lanes = 0;
+  bool whole_segments = false;
 };
 void describe(registry::Members& members, Parameters& parameters);
 

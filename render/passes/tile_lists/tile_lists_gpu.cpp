@@ -149,7 +149,7 @@ Result<Kernels> make_kernels(gpu::Device& device, const Resources& resources) {
                                                  {1, gpu::TextureFormat::rgba32f},
                                                  {2, gpu::TextureFormat::r32u},
                                                  {3, gpu::TextureFormat::r32f}};  // of tile_walk.glsl
-  const std::uint32_t parts = resources.get<DrawnHair>().segment_parts;
+  const std::uint32_t parts = listed_parts(resources);
   Kernels kernels;
   CUTICLE_ASSIGN(kernels.scene, device.make_kernel(tile_scene_comp, {2, 1, bytes}));
   CUTICLE_ASSIGN(kernels.count, device.make_kernel(tile_count_comp, {8, 0, bytes, {parts}, walked}));
@@ -177,8 +177,7 @@ Result<TileLists> make_lists(gpu::Device& device, const Resources& resources) {
 
 /// A first guess; the first frame's count corrects it.
 std::uint64_t likely_entries(const Resources& resources) {
-  const DrawnHair& hair = resources.get<DrawnHair>();
-  return 2 * std::uint64_t(hair.strands.segment_count / hair.segment_parts);
+  return 2 * std::uint64_t(resources.get<DrawnHair>().strands.segment_count / listed_parts(resources));
 }
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
@@ -202,6 +201,10 @@ std::uint32_t lanes_of(const gpu::DeviceInfo& device, const PassParameters& para
   return asked < 32 ? 8 : asked < 64 ? 32 : 64;
 }
 
+std::uint32_t listed_parts(const Resources& resources) {
+  return parameters_of<Parameters>(resources).whole_segments ? resources.get<DrawnHair>().segment_parts : 1;
+}
+
 TilePush push_of(const Resources& resources, const TileLists& lists) {
   const FrameView& view = resources.get<FrameView>();
   const DrawnHair& hair = resources.get<DrawnHair>();
@@ -213,8 +216,9 @@ TilePush push_of(const Resources& resources, const TileLists& lists) {
   push.part = glm::uvec2(drawn_size(resources));
   push.corner = std::uint32_t(view.part_corner.x) / k_tile | std::uint32_t(view.part_corner.y) / k_tile << 16;
   const visibility::DrawnPart part = visibility::drawn_part(resources, parameters_of<Parameters>(resources).full_px);
-  push.segment_count = hair.strands.segment_count / hair.segment_parts;
-  if (part.width > 1) push.segment_count = part.strands * ((hair.vertices_per_strand - 1) / hair.segment_parts);
+  const std::uint32_t parts = listed_parts(resources);
+  push.segment_count = hair.strands.segment_count / parts;
+  if (part.width > 1) push.segment_count = part.strands * ((hair.vertices_per_strand - 1) / parts);
   push.vertices_per_strand = hair.vertices_per_strand;
   push.capacity = lists.capacity;
   push.supersampling = targets.keep ? std::uint32_t(targets.supersampling) : 0;

@@ -32,6 +32,9 @@ static_assert(sizeof(TilePush) == 128);
 
 TilePush push_of(const Resources& resources, const TileLists& lists);
 
+/// Parts of a segment that are listed and drawn as one: all where the scene asks for whole segments, else 1.
+std::uint32_t listed_parts(const Resources& resources);
+
 /// Invocations that draw a tile: 8, 32 or 64, by the parameter `lanes`. By itself 8 in software, where a subgroup may
 /// be so wide, and 64, one a pixel, on a device with subgroups of 32 or more, which would idle otherwise. The pictures
 /// are the same (tiles_lanes_gpu_test).

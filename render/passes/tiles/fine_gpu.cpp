@@ -51,9 +51,10 @@ FineForm fine_form(const gpu::DeviceInfo& device, const Resources& resources) {
   const std::uint32_t rows = parameters.coverage_rows;
   const bool spans = !sliced && rows > 0 && parameters.opacity >= 1;
   const DrawnHair& hair = resources.get<DrawnHair>();
-  const std::size_t records = records_of(hair.strands.vertex_count, hair.segment_parts);
+  const std::uint32_t parts = tile_lists::listed_parts(resources);
+  const std::size_t records = records_of(hair.strands.vertex_count, parts);
   return {spans, reads_records(device, resources.parameters, records), std::max(rows, 1u),
-          tile_lists::lanes_of(device, resources.parameters), hair.segment_parts};
+          tile_lists::lanes_of(device, resources.parameters), parts};
 }
 
 gpu::ShaderInterface fine_interface(const FineForm& form, std::uint32_t buffers, bool says_seen) {
@@ -65,16 +66,17 @@ gpu::ShaderInterface fine_interface(const FineForm& form, std::uint32_t buffers,
           {{0, first}, {1, gpu::TextureFormat::rgba16f}, {3, gpu::TextureFormat::r32u}}};
 }
 
-Result<Records> Records::make(gpu::Device& device, const DrawnHair& hair) {
-  const std::size_t all = records_of(hair.strands.vertex_count, hair.segment_parts);
+Result<Records> Records::make(gpu::Device& device, const Resources& resources) {
+  const std::uint32_t parts = tile_lists::listed_parts(resources);
+  const std::size_t all = records_of(resources.get<DrawnHair>().strands.vertex_count, parts);
   const std::size_t most = records_of_a_part(device.info());
   Records made;
   CUTICLE_ASSIGN(made.all_, device.make_texel_buffer(all * k_record_bytes));
   for (std::size_t first = 0; first < all; first += most) {
     const std::size_t count = std::min(most, all - first);
     Part part;
-    CUTICLE_ASSIGN(part.colored, make_prepare(device, first, count, true, hair.segment_parts));
-    CUTICLE_ASSIGN(part.bare, make_prepare(device, first, count, false, hair.segment_parts));
+    CUTICLE_ASSIGN(part.colored, make_prepare(device, first, count, true, parts));
+    CUTICLE_ASSIGN(part.bare, make_prepare(device, first, count, false, parts));
     part.records = gpu::part_of(made.all_, first * k_record_bytes, count * k_record_bytes);
     made.parts_.push_back(std::move(part));
   }
@@ -93,8 +95,9 @@ void Records::record(gpu::Commands& commands, const Resources& resources, const 
 
 std::uint32_t prepare_dispatches(const gpu::DeviceInfo& device, const PassParameters& parameters,
                                  const registry::FrameShape& shape) {
-  const std::uint32_t between = shape.vertices - shape.strands;  // each part takes one vertex more
-  const std::size_t records = records_of(shape.vertices, shape.segments > 0 ? between / shape.segments : 1);
+  const std::uint32_t ends = shape.vertices - shape.strands;  // of parts; so many lie on a segment
+  const bool whole = parameters_of<tile_lists::Parameters>(parameters).whole_segments && shape.segments > 0;
+  const std::size_t records = records_of(shape.vertices, whole ? ends / shape.segments : 1);
   if (!reads_records(device, parameters, records)) return 0;
   const std::size_t most = records_of_a_part(device);
   return std::uint32_t((records + most - 1) / most);

@@ -11,7 +11,7 @@ namespace cuticle::render::tiles {
 struct FineForm {
   bool spans = false, reads_records = false;
   std::uint32_t rows = 1, lanes = 8;
-  std::uint32_t parts = 1;  ///< of a segment, between which its colours are interpolated
+  std::uint32_t parts = 1;  ///< tile_lists::listed_parts
 };
 /// The form of a picture whose strands are sorted, or blended by slices.
 FineForm fine_form(const gpu::DeviceInfo& device, const Resources& resources);
@@ -23,7 +23,7 @@ gpu::ShaderInterface fine_interface(const FineForm& form, std::uint32_t buffers,
 class Records {
  public:
   /// Errors: of the device.
-  static Result<Records> make(gpu::Device& device, const DrawnHair& hair);
+  static Result<Records> make(gpu::Device& device, const Resources& resources);
   /// Without colours (null) for what only looks where segments are.
   void record(gpu::Commands& commands, const Resources& resources, const tile_lists::TilePush& push,
               const gpu::Buffer* colors) const;

@@ -114,7 +114,7 @@ Result<Fine> make_fine(gpu::Device& device, const Resources& resources) {
   if (const auto* const seen = resources.find<seen_vertices::SeenVertices>())
     fine.made = &seen->records;
   else if (fine.form.reads_records) {
-    CUTICLE_ASSIGN(fine.own, Records::make(device, resources.get<DrawnHair>()));
+    CUTICLE_ASSIGN(fine.own, Records::make(device, resources));
   }
   return fine;
 }
