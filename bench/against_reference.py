@@ -35,6 +35,7 @@ def arguments():
     parser.add_argument("--shadow", type=json.loads, action="append", help="method with its parameters, JSON; may be given again")
     parser.add_argument("--to-light", default="0.6,0.9,0.8")
     parser.add_argument("--segment-parts", type=int, help="of segments, in the real-time ways (default: chosen by the program)")
+    parser.add_argument("--whole-segments", action="store_true", help="of 'tiles': segments with parts are drawn as one")
     parser.add_argument("--densities", help="d_f,d_b of dual scattering")
     parser.add_argument("--only", choices=("direct", "dual"))
     return parser.parse_args()
@@ -96,6 +97,8 @@ def changed(scene, options, dual, shadow):
     scene["material"]["evaluate"] = options.evaluate
     if options.segment_parts:
         scene["groom"]["segment_parts"] = options.segment_parts
+    if options.whole_segments:
+        scene.setdefault("passes", {})["tile_lists"] = {"whole_segments": True}
     if shadow:
         scene["shadow"]["method"] = shadow
     if dual:
@@ -117,7 +120,7 @@ def compare(name, scene, out, options, dual):
     reference = render(scene, f"{out}/reference_{kind}", "--method", "reference", "--samples", str(options.samples), *bounces)
     for method in options.methods.split(","):
         for shadow in options.shadow or [None]:
-            words = [method, kind, name_of(shadow), options.densities if dual and options.densities else ""]
+            words = [method, kind, name_of(shadow), "whole" if options.whole_segments else "", options.densities if dual and options.densities else ""]
             way = "_".join(word for word in words if word)
             picture = render(changed(scene, options, dual, shadow), f"{out}/{way}", *drawn_by(method, options, dual))
             show(f"{name} {method} {kind} {name_of(shadow)}".rstrip(), picture, reference)

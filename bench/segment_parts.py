@@ -1,7 +1,7 @@
 """What it costs to find light at parts of long segments: one frame by the number of parts.
 
   export CUTICLE=build/release/bin/cuticle CUTICLE_TEST_DATA=...
-  python bench/segment_parts.py OUT [--grooms ponytail,testhair] [--parts 1,2,4,8] [--evaluate tables,direct] [--repeats 3]
+  python bench/segment_parts.py OUT [--grooms ponytail,testhair] [--parts 1,2,4,8] [--evaluate tables,direct] [--repeats 3] [--whole-segments]
                                 [--shadow '{"shadow_map":{}}'] [--size 480]
 
 Prints, for each number of parts: the device's work of a frame (by the clock, least of the repeats, which take turns), that of
@@ -26,6 +26,7 @@ def arguments():
     parser.add_argument("--repeats", type=int, default=3)
     parser.add_argument("--shadow", type=json.loads, default={"shadow_map": {}}, help="method with its parameters, JSON")
     parser.add_argument("--size", type=int, default=480)
+    parser.add_argument("--whole-segments", action="store_true", help="segments with parts are drawn as one")
     return parser.parse_args()
 
 
@@ -70,6 +71,8 @@ def main():
                 scene = measured_scenes.scene(groom, options.out, size=options.size)
                 scene["groom"]["segment_parts"] = parts
                 scene["material"]["evaluate"] = evaluate
+                if options.whole_segments:
+                    scene["passes"]["tile_lists"] = {"whole_segments": True}
                 scene["shadow"]["method"] = options.shadow
                 scenes[parts] = scene
             print(f"{groom}, material.evaluate {evaluate}:")
