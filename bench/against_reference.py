@@ -8,7 +8,8 @@
 Prints, for each way of drawing: its coverage, its light (mean radiance of red, green, blue) and the root mean square of the differences of
 means over 8 x 8 pixels (where the reference has light), each as a share of the reference's. Direct light is compared with paths of one
 scattering; with dual scattering (`passes.dual_scattering`), light with paths of any length, for each colour. The method `rays` is the path tracer
-with dual scattering in the place of longer paths (`--match dual_scattering`). Pictures that OUT has are kept.
+with dual scattering in the place of longer paths (`--match dual_scattering`). With --shares it says what share of the direct light without shadows is
+left, each over the same way's picture without (`shadow.method` `none`; `--match shadow=none`). Pictures that OUT has are kept.
 """
 import argparse
 import json
@@ -38,6 +39,7 @@ def arguments():
     parser.add_argument("--whole-segments", action="store_true", help="of 'tiles': segments with parts are drawn as one")
     parser.add_argument("--densities", help="d_f,d_b of dual scattering")
     parser.add_argument("--only", choices=("direct", "dual"))
+    parser.add_argument("--shares", action="store_true", help="of direct light: the share that shadows leave, in red")
     return parser.parse_args()
 
 
@@ -114,16 +116,32 @@ def drawn_by(method, options, dual):
     return ["--method", "reference", "--samples", str(options.samples), "--match", restriction]
 
 
+def show_share(name, pictures, references):
+    """Of pairs with and without shadows: the share of the light that is left, and that of the reference."""
+    left, wanted = (with_shadows[..., 0].mean() / without[..., 0].mean() for with_shadows, without in (pictures, references))
+    print(f"{name:34} light left {left:.4f}, reference {wanted:.4f}, difference {left - wanted:+.4f}", flush=True)
+
+
+def traced(scene, out, options, *more):
+    return render(scene, out, "--method", "reference", "--samples", str(options.samples), *more)
+
+
 def compare(name, scene, out, options, dual):
     bounces = [] if dual else ["--bounces", "1"]
     kind = "all" if dual else "direct"
-    reference = render(scene, f"{out}/reference_{kind}", "--method", "reference", "--samples", str(options.samples), *bounces)
+    reference = traced(scene, f"{out}/reference_{kind}", options, *bounces)
+    shares = options.shares and not dual
+    bare = traced(scene, f"{out}/reference_none", options, *bounces, "--match", "shadow=none") if shares else None
     for method in options.methods.split(","):
         for shadow in options.shadow or [None]:
             words = [method, kind, name_of(shadow), "whole" if options.whole_segments else "", options.densities if dual and options.densities else ""]
             way = "_".join(word for word in words if word)
             picture = render(changed(scene, options, dual, shadow), f"{out}/{way}", *drawn_by(method, options, dual))
-            show(f"{name} {method} {kind} {name_of(shadow)}".rstrip(), picture, reference)
+            title = f"{name} {method} {kind} {name_of(shadow)}".rstrip()
+            show(title, picture, reference)
+            if shares:
+                without = render(changed(scene, options, dual, {"none": {}}), f"{out}/{method}_none", *drawn_by(method, options, dual))
+                show_share(title, (picture, without), (reference, bare))
 
 
 def main():

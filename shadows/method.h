@@ -42,6 +42,9 @@ struct Receivers {
   std::span<const std::uint32_t> vertices = {};  ///< of the groom: the point's, or the first of its segment; or empty
   /// Of points on strands, which lie on the fibres' axes: the viewer, metres, who sees their surface. None: the axes.
   std::optional<glm::dvec3> seen_from = {};
+  /// Where the viewer's rays met the fibres' surfaces, metres: `truth` starts there. One per point, or empty: the
+  /// middle of the side that is seen, which is what methods look up.
+  std::span<const glm::vec3> met = {};
 };
 
 struct Cost {

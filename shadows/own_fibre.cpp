@@ -51,7 +51,8 @@ LookupPlace lookup_place(const Asked& asked, const glm::vec3& on_axis, const std
   LookupPlace place{on_axis};
   const glm::vec3 way = light_way(axes, on_axis);
   const std::optional<glm::dvec3>& viewer = asked.receivers.seen_from;
-  if (viewer) place.power = power_seen_from(glm::vec3(*viewer) - on_axis, way);
+  const float cosine = viewer ? cosine_seen_from(glm::vec3(*viewer) - on_axis, way) : 0.0f;
+  if (viewer) place.power = seen_power(cosine);
   if (!own) return place;
   const glm::vec3 along = own_along(asked.groom, *own);
   if (along == glm::vec3(0)) return place;  // a puff
@@ -59,6 +60,8 @@ LookupPlace lookup_place(const Asked& asked, const glm::vec3& on_axis, const std
   place.held = half_crossing(along, way, radius);
   place.is_seen = viewer.has_value();
   if (!place.is_seen) return place;
+  place.clearance = seen_clearance(cosine);
+  place.held *= place.clearance;
   place.point += to_seen_surface(on_axis, along, glm::vec3(*viewer), radius);
   return place;
 }

@@ -39,6 +39,7 @@ struct LookupPlace {
   glm::vec3 point{0};
   float held = 0;
   bool is_seen = false;  ///< by a viewer
+  float clearance = 1;   ///< seen_clearance() there
   float power = 1;       ///< seen_power() of a place that a viewer sees, on a strand that casts or not; else 1
 };
 LookupPlace lookup_place(const Asked& asked, const glm::vec3& on_axis, const std::optional<OwnVertex>& own,

@@ -89,11 +89,11 @@ Result<std::optional<glm::dvec3>> camera_of(const ShadowsOptions& options) {
   return std::optional<glm::dvec3>(direction);
 }
 
-/// What a camera sees is as small as a pixel.
+/// What a camera sees are points.
 double footprint_of(const ShadowsOptions& options, const strands::Groom& groom,
                     const std::optional<glm::dvec3>& to_camera = {}) {
   if (options.footprint_mm > 0) return 1e-3 * options.footprint_mm;
-  return to_camera ? study::pixel_footprint(groom, *to_camera) : shadows::default_footprint_radius(groom);
+  return to_camera ? 0 : shadows::default_footprint_radius(groom);
 }
 
 /// With a camera, what is not given is what pictures use: a filter of one texel, and resolutions to compare.
@@ -329,7 +329,7 @@ void add_options(CLI::App& command, ShadowsOptions& options) {
   command.add_option("--spacing", options.spacings, "spacings of the layers of the methods that have them, a,b,c");
   command
       .add_option("--footprint-mm", options.footprint_mm,
-                  "radius that the truth is averaged over; 0 = two fibre spacings, with --camera half a pixel")
+                  "radius that the truth is averaged over; 0 = two fibre spacings, with --camera none")
       ->check(CLI::Range(0.0, 1000.0));
   command.add_option("--alpha", options.alpha, "opacity of one fibre crossing")->check(CLI::Range(0.0, 1.0));
   add_groom_options(command, options.read.metres_per_unit, options.read.radius);

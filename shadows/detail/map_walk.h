@@ -158,7 +158,8 @@ inline MapFilter filter_there(const MapView& view, MapFilter filter, const glm::
 /// blur_depth() where a viewer sees it; not with a filter in metres, whose mean over the disc is what is asked for.
 inline float free_depth(const MapView& view, const MapFilter& filter, const LookupPlace& place, const glm::vec3& seen) {
   const float texels_per_metre = view.scale.x * view_scale(seen, view.axes.reach);
-  return place.held + (place.is_seen && !(filter.metres > 0) ? blur_depth(filter.radius, texels_per_metre) : 0);
+  return place.held +
+         (place.is_seen && !(filter.metres > 0) ? place.clearance * blur_depth(filter.radius, texels_per_metre) : 0);
 }
 
 /// The transmittance at a place in the world: 1 far outside the map. find_own(seen, point, radius) is called before,

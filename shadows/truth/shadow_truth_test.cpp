@@ -76,6 +76,21 @@ TEST(ShadowTruth, BentStrand_JointsCountOnce) {
   EXPECT_NEAR(one(groom, {-0.001f, 0, 0.051f}, k_point), 0.6, 1e-6);
 }
 
+// Light from above; a second fibre covers half of the width of the one that is seen.
+TEST(ShadowTruth, PointsThatAViewerMet_AreShadowedWhereTheyLie) {
+  strands::Groom groom;
+  tests::add_strand(groom, {{-0.05f, 0, 0}, {0, 0, 0}, {0.05f, 0, 0}}, 0.001f);
+  tests::add_strand(groom, {{-0.05f, 0.01f, 0.001f}, {0, 0.01f, 0.001f}, {0.05f, 0.01f, 0.001f}}, 0.001f);
+  const glm::vec3 points[] = {{0.01f, 0, 0}, {0.01f, 0, 0}}, met[] = {{0.01f, 8e-4f, 6e-4f}, {0.01f, 8e-4f, -6e-4f}};
+  const std::uint32_t strand_of[] = {0, 0}, vertices[] = {1, 1};
+  const Receivers receivers{
+      .points = points, .strands = strand_of, .vertices = vertices, .seen_from = glm::dvec3(0, 1, 0), .met = met};
+  const auto result = run(groom, receivers, "footprint_radius_mm=0", 1);
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->values[0], 0.0f);
+  EXPECT_EQ(result->values[1], 1.0f);
+}
+
 TEST(ShadowTruth, EmptyGroom_LetsAllThrough) { EXPECT_EQ(one({}, {0, 0, 0}, k_point), 1.0f); }
 TEST(ShadowTruth, AlphaZero_LetsAllThrough) { EXPECT_EQ(one(bar(), {0, 0, 0}, k_point, 0), 1.0f); }
 TEST(ShadowTruth, AlphaOne_LetsNothingThrough) { EXPECT_EQ(one(bar(), {0, 0, 0}, k_point, 1), 0.0f); }

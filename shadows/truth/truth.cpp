@@ -28,8 +28,10 @@ struct Parameters {
 };
 void describe(registry::Members& members, Parameters& parameters) {
   members(parameters.rays, "rays", 1, 65536, "rays per point, rounded up to a square: one in each cell of a grid");
-  members.millimetres(parameters.footprint_radius, "footprint_radius_mm", 0, 1000,
-                      "radius of the disc around the point that rays start from; 0: two strand spacings (four across)");
+  members.millimetres(
+      parameters.footprint_radius, "footprint_radius_mm", 0, 1000,
+      "radius of the disc around the point that rays start from; 0: two strand spacings (four across), and none around "
+      "points where a viewer's rays met the hair");
 }
 constexpr std::string_view k_demands[] = {"light", "shadow_method"};
 
@@ -96,6 +98,7 @@ class Tracer {
   /// The receiver on the surface that its viewer sees.
   glm::dvec3 seen_point(const Receivers& receivers, std::size_t i, const std::optional<OwnVertex>& own) const {
     const glm::dvec3 point(receivers.points[i]);
+    if (!receivers.met.empty()) return glm::dvec3(receivers.met[i]);
     if (!own || !receivers.seen_from) return point;
     const strands::Groom& groom = *casters_.groom;
     return point + to_seen_surface(point, glm::dvec3(own_along(groom, *own)), *receivers.seen_from,
@@ -161,6 +164,14 @@ void trace_all(const Tracer& tracer, const Receivers& receivers, Transmittance& 
   });
 }
 
+/// From points where a viewer's rays met the hair all rays are one, unless a disc is asked for.
+Tracer tracer_of(const Parameters& parameters, const strands::RayGroom& rays, const Casters& casters,
+                 const Receivers& receivers) {
+  if (parameters.footprint_radius > 0) return {rays, casters, parameters.footprint_radius, parameters.rays};
+  if (!receivers.met.empty()) return {rays, casters, 0, 1};
+  return {rays, casters, default_footprint_radius(*casters.groom), parameters.rays};
+}
+
 Result<Transmittance> evaluate(const Casters& casters, const Receivers& receivers,
                                const registry::ParameterValues& values) {
   CUTICLE_TRY(check(casters, receivers));
@@ -175,9 +186,7 @@ Result<Transmittance> evaluate(const Casters& casters, const Receivers& receiver
   CUTICLE_ASSIGN(const auto rays, strands::RayGroom::build(*casters.groom));
   result.cost.build_ms = milliseconds_since(start);
   const auto built = std::chrono::steady_clock::now();
-  const double radius =
-      parameters.footprint_radius > 0 ? parameters.footprint_radius : default_footprint_radius(*casters.groom);
-  trace_all(Tracer(*rays, casters, radius, parameters.rays), receivers, result);
+  trace_all(tracer_of(parameters, *rays, casters, receivers), receivers, result);
   result.cost.lookup_ms = milliseconds_since(built);
   return result;
 }

@@ -85,7 +85,6 @@ Result<Comparison> compare_shadows(const scene::Scene& scene, const strands::Gro
   request.alpha = (alpha.x + alpha.y + alpha.z) / 3;
   if (!scene.lights.empty()) request.to_light = scene.lights.front().to_light;
   request.to_camera = to_camera_of(scene);
-  request.footprint_radius = pixel_footprint(drawn, *request.to_camera);
   request.receivers = 6000;
   request.rays = 32;
   request.candidates = std::move(candidates);

@@ -42,8 +42,9 @@ Comparison describe(const ComparisonRequest& request, std::size_t receivers) {
   comparison.alpha = request.alpha;
   comparison.to_light = shadows::unit_to_light(request.to_light).value();
   comparison.spacing = strands::statistics(*request.groom).spacing;
-  comparison.footprint_radius =
-      request.footprint_radius > 0 ? request.footprint_radius : shadows::default_footprint_radius(*request.groom);
+  comparison.footprint_radius = request.footprint_radius > 0 ? request.footprint_radius
+                                : request.to_camera          ? 0
+                                                             : shadows::default_footprint_radius(*request.groom);
   comparison.rays = request.rays;
   comparison.at_pixels = request.to_camera.has_value();
   comparison.receivers = receivers;
@@ -145,12 +146,6 @@ double excess(const ComparisonRow& row, const Request& request) {
 }
 
 }  // namespace
-
-double pixel_footprint(const strands::Groom& groom, const glm::dvec3& to_camera) {
-  const shadows::LightBox box = shadows::light_box(shadows::light_axes(to_camera), groom.positions);
-  const glm::vec3 size = box.upper - box.lower;
-  return 0.5 * double(std::max(size.x, size.y)) / 1024;
-}
 
 ErrorStatistics error_statistics(std::span<const float> values, std::span<const float> truth, Half half,
                                  Counted counted) {

@@ -18,9 +18,6 @@
 
 namespace cuticle::study {
 
-/// Radius of half a pixel, metres, of a picture 1,024 pixels wide of the groom: the footprint of what a camera sees.
-double pixel_footprint(const strands::Groom& groom, const glm::dvec3& to_camera);
-
 /// Settings that several methods have, under names of their own: each method takes those that it has a parameter for.
 struct Sweep {
   std::vector<std::int64_t> layers;        ///< "slices" or "layers"; empty: the method's default
@@ -46,10 +43,11 @@ struct ComparisonRequest {
   std::string name = "shadows", title = "Shadow methods against ray-traced truth";
   std::string groom_name;
   const strands::Groom* groom = nullptr;
-  double alpha = 0.4;                      ///< opacity of one crossing, 0 .. 1
-  glm::dvec3 to_light{1, 1, 0.3};          ///< made unit
-  double footprint_radius = 0;             ///< metres; 0 = shadows::default_footprint_radius
-  int rays = 1024;                         ///< of the truth, per receiver
+  double alpha = 0.4;              ///< opacity of one crossing, 0 .. 1
+  glm::dvec3 to_light{1, 1, 0.3};  ///< made unit
+  double footprint_radius =
+      0;            ///< metres; 0 = shadows::default_footprint_radius, of what a camera sees the point alone
+  int rays = 1024;  ///< of the truth, per receiver
   std::size_t receivers = 1000;            ///< spread evenly; all if there are fewer
   Weights weights = Weights::at_vertices;  ///< else receivers are the middles of segments
   std::optional<glm::dvec3> to_camera;     ///< receivers are what a camera in this direction sees instead

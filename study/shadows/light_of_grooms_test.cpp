@@ -46,7 +46,6 @@ TEST_P(LightOfGrooms, SeenByACamera_EveryMethodLeavesItWithinAHundredth) {
   request.alpha = 1;
   request.to_light = glm::normalize(glm::dvec3(1, 1, 0.3));
   request.to_camera = glm::normalize(GetParam().to_camera);
-  request.footprint_radius = pixel_footprint(file->groom, *request.to_camera);
   request.rays = 64;
   request.receivers = 20000;
   for (const auto& [name, settings] : k_settings) {

@@ -25,9 +25,10 @@ void add_probe(const strands::Groom& groom, std::uint32_t vertex, std::uint32_t 
   probes.fractions.push_back(fraction);
 }
 
-/// The point of a fibre that a pixel sees.
+/// The point of a fibre that a pixel sees: of its surface, in the picture, and the point of its axis beside that.
 struct Seen {
-  float depth = std::numeric_limits<float>::infinity(), fraction = 0;
+  glm::vec3 met{0, 0, std::numeric_limits<float>::infinity()};
+  float fraction = 0;
   std::uint32_t vertex = 0, strand = 0;
 };
 
@@ -40,6 +41,10 @@ struct Picture {
   std::vector<Seen> seen;
 
   glm::vec3 view(const glm::vec3& p) const { return shadows::view_point(axes, p) - box.lower; }
+  /// A step of the picture, in the world.
+  glm::vec3 in_world(const glm::vec3& step) const {
+    return step.x * axes.right + step.y * axes.up + step.z * axes.forward;
+  }
   /// Pixels first .. last whose centres may lie between two places of a side.
   std::pair<std::size_t, std::size_t> between_places(float a, float b, float margin) const {
     const float first = (std::min(a, b) - margin) / pixel - 0.5f, last = (std::max(a, b) + margin) / pixel - 0.5f;
@@ -62,8 +67,15 @@ void see(const Piece& piece, const glm::vec2& at, Seen& seen) {
   const glm::vec2 away = from - t * along;
   const float left = piece.radius * piece.radius - glm::dot(away, away);
   if (!(left > 0)) return;
-  const float depth = between(piece.a, piece.b, t).z - std::sqrt(left);
-  if (depth < seen.depth) seen = {depth, t, piece.vertex, piece.strand};
+  // Of a fibre that leans the ray meets the surface before the axis' point beside it, by a tenth of the length at most;
+  // round ends are met as spheres.
+  const bool is_end = t == 0 || t == 1;
+  const float length = glm::distance(piece.a, piece.b);
+  const float before = std::sqrt(left) / (is_end ? 1 : std::max(0.1f, std::sqrt(square) / length));
+  const float depth = between(piece.a, piece.b, t).z - before;
+  if (!(depth < seen.met.z)) return;
+  const float back = is_end ? 0 : before * (piece.b.z - piece.a.z) / (length * length);
+  seen = {{at, depth}, std::clamp(t - back, 0.0f, 1.0f), piece.vertex, piece.strand};
 }
 void draw(const Piece& piece, Picture& picture) {
   const auto [row, end_row] = picture.between_places(piece.a.y, piece.b.y, piece.radius);
@@ -127,12 +139,14 @@ Probes visible_probes(const strands::Groom& groom, const glm::dvec3& to_camera, 
       draw({picture.view(groom.positions[v]), picture.view(groom.positions[v + 1]),
             0.5f * (groom.radii[v] + groom.radii[v + 1]), v, s},
            picture);
-  std::erase_if(picture.seen, [](const Seen& seen) { return !std::isfinite(seen.depth); });
+  std::erase_if(picture.seen, [](const Seen& seen) { return !std::isfinite(seen.met.z); });
   Probes probes;
   const std::size_t found = picture.seen.size(), wanted = std::min(count, found);
   for (std::size_t i = 0; i < wanted; ++i) {
     const Seen& seen = picture.seen[i * found / wanted];
     add_probe(groom, seen.vertex, seen.strand, seen.fraction, probes);
+    const glm::vec3& on_axis = probes.points.back();
+    probes.met.push_back(on_axis + picture.in_world(seen.met - picture.view(on_axis)));
   }
   const strands::Bounds bounds = strands::bounds(groom);
   const glm::dvec3 middle = 0.5 * glm::dvec3(bounds.lower + bounds.upper);

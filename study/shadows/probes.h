@@ -29,9 +29,10 @@ struct Probes {
   std::vector<std::uint32_t> vertices, strands;
   std::vector<float> fractions;
   std::optional<glm::dvec3> seen_from = {};  ///< shadows::Receivers::seen_from
+  std::vector<glm::vec3> met = {};           ///< shadows::Receivers::met
 
   shadows::Receivers receivers() const {
-    return {.points = points, .strands = strands, .vertices = vertices, .seen_from = seen_from};
+    return {.points = points, .strands = strands, .vertices = vertices, .seen_from = seen_from, .met = met};
   }
 };
 
@@ -42,8 +43,8 @@ Probes spread_probes(const strands::Groom& groom, std::size_t count);
 Probes middle_probes(const strands::Groom& groom, std::size_t count);
 
 /// What an orthographic camera in the direction `to_camera` (unit) sees, by a ray through the centre of each pixel of a
-/// picture at least 1,024 wide: the fibre whose surface the ray meets first, as a point of its axis, seen from afar;
-/// `count` of the pixels that see one, spread evenly over the picture; all if there are fewer.
+/// picture at least 1,024 wide: where the ray meets a surface first, and the point of that fibre's axis, seen from
+/// afar; `count` of the pixels that see one, spread evenly over the picture; all if there are fewer.
 Probes visible_probes(const strands::Groom& groom, const glm::dvec3& to_camera, std::size_t count);
 
 /// The same places on the strands of another groom of as many vertices.

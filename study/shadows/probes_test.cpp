@@ -2,6 +2,7 @@
 #include "study/shadows/probes.h"
 
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "study/shadows/slices_study.h"
 
@@ -39,6 +40,29 @@ TEST(Probes, Camera_SeesTheNearestFibreOfEachPixel) {
   EXPECT_GT(upper, 25) << "one row of the lower fibres lies free";
   EXPECT_GT(lower, 25);
   EXPECT_EQ(visible_probes(groom, {0, 1, 0}, 50).points, above.points);
+}
+
+// A pixel's ray meets a fibre beside its middle as often as there.
+TEST(Probes, Camera_MeetsSurfacesOverTheWholeWidth) {
+  constexpr float k_radius = 2e-3f;
+  const glm::vec3 leaning = glm::normalize(glm::vec3(1, 0.6f, 0));  // towards the camera above
+  strands::Groom groom;
+  groom.positions = {glm::vec3(0), 0.1f * leaning};
+  groom.offsets = {0, 2};
+  groom.radii = {k_radius, k_radius};
+  const Probes seen = visible_probes(groom, {0, 1, 0}, 2000);
+  ASSERT_EQ(seen.met.size(), seen.points.size());
+  double squares = 0, count = 0;
+  for (std::size_t i = 0; i < seen.met.size(); ++i) {
+    if (seen.fractions[i] < 0.1f || seen.fractions[i] > 0.9f) continue;  // round ends
+    const glm::vec3 away = seen.met[i] - seen.points[i];
+    EXPECT_NEAR(glm::length(away), k_radius, 1e-5);
+    EXPECT_NEAR(glm::dot(away, leaning), 0, 1e-5);
+    EXPECT_GT(away.y, 0);
+    squares += double(away.z) * double(away.z) / (double(k_radius) * double(k_radius));
+    ++count;
+  }
+  EXPECT_NEAR(squares / count, 1.0 / 3, 0.02) << "offsets are even over the width";
 }
 
 /// Thin fibres on one another: a ray meets each as often as its width says, so that most of what it sees lies deeper
