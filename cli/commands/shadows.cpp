@@ -333,7 +333,8 @@ void add_options(CLI::App& command, ShadowsOptions& options) {
       ->check(CLI::Range(0.0, 1000.0));
   command.add_option("--alpha", options.alpha, "opacity of one fibre crossing")->check(CLI::Range(0.0, 1.0));
   add_groom_options(command, options.read.metres_per_unit, options.read.radius);
-  command.add_option("--rays", options.rays, "rays of the truth for each point")->check(CLI::Range(1, 65536));
+  command.add_option("--rays", options.rays, "rays of the truth for each point; one with --camera")
+      ->check(CLI::Range(1, 65536));
   command
       .add_option(
           "--weights", options.weights,

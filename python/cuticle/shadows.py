@@ -61,7 +61,7 @@ def _direction(name, value):
 
 def truth(groom, light=(0, 1, 0), points=None, *, rays=1024, footprint_radius_mm=0.0, **arguments):
     """Ray-traced transmittance and its standard error, float32 (n) each: the mean over a disc of rays to the light (Embree).
-    footprint_radius_mm 0: two strand spacings. Other arguments as of `transmittance`."""
+    footprint_radius_mm 0: two strand spacings; of what a camera sees one ray from each point. Other arguments as of `transmittance`."""
     if "truth" not in (method["name"] for method in methods()):
         raise Error("truth: this build has no Embree (try: build where libembree-dev is installed)", "usage")
     result = transmittance(groom, light, points, "truth", details=True, rays=rays, footprint_radius_mm=footprint_radius_mm, **arguments)

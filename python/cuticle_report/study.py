@@ -112,12 +112,12 @@ def words(study):
     """What was measured, in sentences."""
     raw, parts = study.raw, []
     if groom := raw.get("groom"):
+        place = f"averaged over a disc of radius {1e3 * raw['footprint_m']:.3g} mm" if raw["footprint_m"] else "that of single points"
         parts.append(f"Hair: {groom['name']}, {groom['strands']} strands, {groom['vertices']} vertices, strand spacing "
-                     f"{1e3 * groom['spacing_m']:.3g} mm. One crossing takes {100 * raw['alpha']:.3g} % of the light; transmittance is averaged over a "
-                     f"disc of radius {1e3 * raw['footprint_m']:.3g} mm.")
+                     f"{1e3 * groom['spacing_m']:.3g} mm. One crossing takes {100 * raw['alpha']:.3g} % of the light; transmittance is {place}.")
     if truth := raw.get("truth"):
         of = "all of them" if truth["counted"] == truth["receivers"] else f"the {truth['counted']} with 0.05 < T < 0.95"
-        parts.append(f"Truth: {truth['rays']} rays at each of {truth['receivers']} receivers ({truth['ms']:.0f} ms); errors are over "
+        parts.append(f"Truth: {'a ray' if truth['rays'] == 1 else str(truth['rays']) + ' rays'} at each of {truth['receivers']} receivers ({truth['ms']:.0f} ms); errors are over "
                      f"{of}, where the truth's own standard error is {truth['mean_standard_error']:.2g}. "
                      f"Settings are chosen on one half of them, and errors are those of the other half, with 95 % intervals.")
     if raw["baselines"]:

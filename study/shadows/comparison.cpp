@@ -45,7 +45,7 @@ Comparison describe(const ComparisonRequest& request, std::size_t receivers) {
   comparison.footprint_radius = request.footprint_radius > 0 ? request.footprint_radius
                                 : request.to_camera          ? 0
                                                              : shadows::default_footprint_radius(*request.groom);
-  comparison.rays = request.rays;
+  comparison.rays = comparison.footprint_radius > 0 ? request.rays : 1;
   comparison.at_pixels = request.to_camera.has_value();
   comparison.receivers = receivers;
   return comparison;
@@ -200,7 +200,8 @@ Result<Comparison> compare_with_truth(const ComparisonRequest& request, Progress
   const Probes probes = probes_of(request);
   const shadows::Receivers receivers = probes.receivers();
   Comparison comparison = describe(request, probes.points.size());
-  progress.message(fmt::format("truth: {} rays for each of {} receivers", request.rays, probes.points.size()));
+  progress.message(fmt::format("truth: {} {} for each of {} receivers", comparison.rays,
+                               comparison.rays == 1 ? "ray" : "rays", probes.points.size()));
   CUTICLE_ASSIGN(auto truth, evaluate_truth(request, casters, receivers, comparison.footprint_radius));
   if (!request.to_camera && !(has_counted(truth.values, Half::choosing) && has_counted(truth.values, Half::reporting)))
     return bad_input("no receiver has a transmittance between 0.05 and 0.95: nothing to compare",

@@ -45,9 +45,10 @@ struct ComparisonRequest {
   const strands::Groom* groom = nullptr;
   double alpha = 0.4;              ///< opacity of one crossing, 0 .. 1
   glm::dvec3 to_light{1, 1, 0.3};  ///< made unit
-  double footprint_radius =
-      0;            ///< metres; 0 = shadows::default_footprint_radius, of what a camera sees the point alone
-  int rays = 1024;  ///< of the truth, per receiver
+  /// Metres; 0: shadows::default_footprint_radius, and of what a camera sees the point alone, from which one ray
+  /// starts.
+  double footprint_radius = 0;
+  int rays = 1024;                         ///< of the truth, per receiver
   std::size_t receivers = 1000;            ///< spread evenly; all if there are fewer
   Weights weights = Weights::at_vertices;  ///< else receivers are the middles of segments
   std::optional<glm::dvec3> to_camera;     ///< receivers are what a camera in this direction sees instead

@@ -67,8 +67,8 @@ void see(const Piece& piece, const glm::vec2& at, Seen& seen) {
   const glm::vec2 away = from - t * along;
   const float left = piece.radius * piece.radius - glm::dot(away, away);
   if (!(left > 0)) return;
-  // Of a fibre that leans the ray meets the surface before the axis' point beside it, by a tenth of the length at most;
-  // round ends are met as spheres.
+  // The ray meets the surface of a fibre that leans the farther before the axis the more it leans (at most ten times as
+  // far); round ends are met as spheres.
   const bool is_end = t == 0 || t == 1;
   const float length = glm::distance(piece.a, piece.b);
   const float before = std::sqrt(left) / (is_end ? 1 : std::max(0.1f, std::sqrt(square) / length));
