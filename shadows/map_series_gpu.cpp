@@ -26,12 +26,16 @@ MapDescription describe_series(const MapSettings& settings, std::uint32_t functi
   map.passes = {{.name = "shadow.splat",
                  .code = map_series_comp,
                  .buffers = {k_vertices, k_segments, k_box, k_deposits, k_own, k_own + 1},
-                 .per_strip = true},
+                 .texels = {3},
+                 .per_strip = true,
+                 .constants = {functions}},
                 {.name = "shadow.lookup",
                  .code = lookup,
                  .buffers = {k_vertices, k_segments, k_box, k_deposits, k_own, k_own + 1, k_transmittance, k_receivers},
                  .run = MapRun::per_vertex,
-                 .per_strip = true}};
+                 .texels = {3, 4, 5},
+                 .per_strip = true,
+                 .constants = {functions}}};
   return map;
 }
 

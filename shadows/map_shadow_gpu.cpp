@@ -26,6 +26,7 @@ gpu::ShaderInterface interface_of(const MapPass& pass, std::uint32_t textures) {
     if (pass.buffers[i] == k_segments) interface.texels.push_back(k_segment_texels);
   }
   for (const std::uint32_t binding : pass.texels) interface.texels.push_back({binding});
+  interface.specialization = pass.constants;
   return interface;
 }
 

@@ -52,8 +52,9 @@ struct MapPass {
   bool reads_targets = false;                                  ///< the targets follow the buffers as textures
   std::uint32_t invocations = 0;                               ///< of MapRun::given
   std::uint32_t (*counted)(std::uint32_t segments) = nullptr;  ///< of MapRun::per_counted_segment
-  std::vector<std::uint32_t> texels = {};  ///< further bindings that are read as texels (usamplerBuffer)
-  bool per_strip = false;                  ///< run for each strip of rows, with those beside it in the list
+  std::vector<std::uint32_t> texels = {};     ///< further bindings that are read as texels (usamplerBuffer)
+  bool per_strip = false;                     ///< run for each strip of rows, with those beside it in the list
+  std::vector<std::uint32_t> constants = {};  ///< values of constant_id 0, 1, 2, ...
 };
 /// The graphics form: two triangles a segment, whose fragments are added into square targets, cleared to 0 before.
 struct MapDrawing {

@@ -1,26 +1,28 @@
 // The sums of a series without the receiver's own fibre. The shader that includes this says, as k_max_functions, how many
-// sums a texel may have.
+// sums a texel may have; how many it has is a constant, so that loops over them come out as straight
+// code: software Vulkan reads an array's numbers one by one where it does not know which they are.
 #include "shadows/fibres.glslh"
 #include "shadows/map_filter.glsl"
 #include "shadows/series.glslh"
 
-layout(std430, binding = 3) readonly buffer Table { uint table[]; };  // deposits, then push.layers weights a depth step
-layout(std430, binding = 4) readonly buffer Sums { int sums[]; };
-layout(std430, binding = 5) readonly buffer Fibre { uint fibre_weights, fibre_coverages; };
+layout(constant_id = 0) const uint k_functions = 1u;
+layout(binding = 3) uniform usamplerBuffer table;  // deposits, then k_functions weights a depth step
+layout(binding = 4) uniform usamplerBuffer sums;
+layout(binding = 5) uniform usamplerBuffer fibre;  // weights, coverages
 layout(std430, binding = 6) writeonly buffer Transmittance { float transmittance[]; };
 
 int sums_left[k_max_functions];
 
 void own_deposit(uint covered, uint depth_step) {
-  const uint weights = k_coverage_steps + 1u + min(depth_step, k_series_steps - 1u) * push.layers;
-  for (uint i = 0u; i < push.layers; ++i)
-    sums_left[i] -= weighted_amount(table[covered], uintBitsToFloat(table[weights + i]));
+  const uint weights = k_coverage_steps + 1u + min(depth_step, k_series_steps - 1u) * k_functions, amount = texelFetch(table, int(covered)).r;
+  [[unroll]] for (uint i = 0u; i < k_functions; ++i)
+    sums_left[i] -= weighted_amount(amount, uintBitsToFloat(texelFetch(table, int(weights + i)).r));
 }
 
-int sum_of(uint texel, uint i) { return sums[kept_place(texel) * push.layers + i]; }
+int sum_of(uint texel, uint i) { return int(texelFetch(sums, int(kept_place(texel) * k_functions + i)).r); }
 
 void read_sums(uint texel) {
-  for (uint i = 0u; i < push.layers; ++i) sums_left[i] = sum_of(texel, i);
+  [[unroll]] for (uint i = 0u; i < k_functions; ++i) sums_left[i] = sum_of(texel, i);
   walk_own();
 }
 
@@ -38,7 +40,8 @@ float exponent_of_share(float whole, float share) {
 float scattered_power() { return (push.flags & k_poisson) != 0u ? 1.0 : lookup_power; }
 
 void look_up(uint v) {
-  const uint amount = (push.flags & k_poisson) != 0u ? 0u : table[fibre_coverage(fibre_weights, fibre_coverages)];
+  const uint mean = fibre_coverage(texelFetch(fibre, 0).r, texelFetch(fibre, 1).r);
+  const uint amount = (push.flags & k_poisson) != 0u ? 0u : texelFetch(table, int(mean)).r;
   scattered_fibre = push.per_unit * float(amount);
   const float through = transmittance_of_vertex(placement_of(least), v, float(k_series_steps));
   if (through >= 0.0) transmittance[v] = through;

@@ -7,11 +7,9 @@
 namespace cuticle::shadows::moments {
 namespace {
 
-constexpr std::uint32_t k_trigonometric_flag = 2;  // k_trigonometric of moments_lookup.comp
-
 MapDescription description(const Settings& settings) {
   MapDescription map = describe_series(settings.map, settings.functions(), weights(settings), moments_lookup_comp);
-  map.flags = settings.basis == Basis::trigonometric_4 ? k_trigonometric_flag : 0;
+  map.passes.back().constants.push_back(settings.basis == Basis::trigonometric_4 ? 1 : 0);  // k_trigonometric
   map.own = {float(settings.bias()), float(settings.overestimation)};
   return map;
 }
