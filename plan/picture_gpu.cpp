@@ -197,12 +197,15 @@ std::uint32_t Picture::strands_of_level() const {
   return render::visibility::drawn_part(resources_, resources_.get<render::StrandDraw>().full_px).strands;
 }
 
-/// H11: shadows cast by a prefix of the strands drawn, which are in random order, and received by all.
+/// H11: shadows cast by a prefix of the strands drawn, which are in random order, and received by all. A level of detail
+/// that draws a share of them lets the root of that share cast: strands that stand for n leave out the shadow that these
+/// would cast on each other, so that hair far away would be too bright.
 shadows::GpuStrands Picture::casters() const {
   const render::DrawnHair& hair = resources_.get<render::DrawnHair>();
   shadows::GpuStrands strands = hair.strands;
   const std::uint32_t segments = hair.vertices_per_strand - 1, all = strands.segment_count / segments;
-  const auto wanted = std::uint32_t(std::lround(scene_.caster_share * strands_of_level()));
+  const double of_level = std::sqrt(double(strands_of_level()) * all);
+  const auto wanted = std::uint32_t(std::lround(scene_.caster_share * of_level));
   const std::uint32_t casting = std::clamp(wanted, std::min(1u, all), all);
   strands.segment_parts = hair.segment_parts;
   strands.segment_count = casting * (segments / hair.segment_parts);

@@ -239,7 +239,7 @@ Spec shadow(const Catalogue& catalogue) {
            "opacity of one fibre crossing; as [r, g, b], hair casts coloured shadows; absent: of opaque fibres, 1 "
            "unless "
            "strands are wider than the fibres that they stand for"),
-       real("caster_share", 1e-3, 1, "of the drawn strands, that cast shadows, wider by as much; absent: all")});
+       real("caster_share", 1e-3, 1, "of the drawn strands, that cast shadows, wider by as much; absent: all. Of a level of detail that draws a share of the strands more cast: the root of that share")});
 }
 
 Spec camera_keys() {
