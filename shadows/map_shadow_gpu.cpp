@@ -97,7 +97,9 @@ class MapShadowGpu : public GpuShadow {
 
 Result<void> MapShadowGpu::make() {
   CUTICLE_EXPECT(description_.own.size() <= 3, "three numbers fit into the push constants");
-  const std::uint64_t most_bytes = device_->info().max_storage_buffer_bytes;
+  // Lookups read most maps as texels of 4 bytes, of which a view holds fewer than a storage buffer may.
+  const gpu::DeviceInfo& limits = device_->info();
+  const std::uint64_t most_bytes = std::min(limits.max_storage_buffer_bytes, limits.max_texel_buffer_bytes / 4);
   strips_ = description_.need.grown.empty() ? strips_of(description_.settings, description_.layers, most_bytes)
                                             : strips_of(description_.settings, 1, most_bytes);
   for (MapBuffer& buffer : description_.buffers) {
