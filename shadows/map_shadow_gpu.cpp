@@ -6,7 +6,7 @@
 #include <fmt/core.h>
 
 #include "gpu/groups.h"
-#include "shadows/filter.glslh"
+#include "shadows/map_strips.h"
 #include "strands/lod/strand_list_gpu.h"
 
 #include <map_fit_comp.spv.h>
@@ -15,7 +15,6 @@ namespace cuticle::shadows {
 namespace {
 
 const MapPass k_fit{"shadow.fit", {}, {k_vertices, k_box}, MapRun::per_vertices};
-constexpr std::uint32_t k_max_strips = 64;
 constexpr gpu::TexelBinding k_vertex_texels{0, gpu::TextureFormat::rgba32f}, k_segment_texels{1};
 
 /// Vertices and segments stand at the front.
@@ -28,27 +27,6 @@ gpu::ShaderInterface interface_of(const MapPass& pass, std::uint32_t textures) {
   for (const std::uint32_t binding : pass.texels) interface.texels.push_back({binding});
   interface.specialization = pass.constants;
   return interface;
-}
-
-/// How a map is cut into strips of rows, and the most texels that one holds.
-struct Strips {
-  std::uint32_t count = 1, margin = 0;
-  std::uint64_t texels = 0;
-};
-/// Rows beside a strip that its lookups read.
-std::uint32_t margin_of(const MapSettings& settings) {
-  return std::uint32_t(1 +
-                       disc_reach(settings.filter_radius > 0 ? k_max_filter_radius : float(settings.filter_texels)));
-}
-/// As few as let `layers` words a texel stay below `most_bytes`; a map is at most 4 times as wide as its resolution.
-Strips strips_of(const MapSettings& settings, std::uint64_t layers, std::uint64_t most_bytes) {
-  const std::uint64_t side = settings.resolution, all = side * side;
-  const std::uint32_t margin = margin_of(settings);
-  const auto held = [&](std::uint64_t count) { return count == 1 ? all : all / count + (2 * margin + 2) * 4 * side; };
-  std::uint32_t count = 1;
-  while (4 * layers * held(count) > most_bytes && count < k_max_strips) ++count;
-  if (4 * layers * held(count) > most_bytes) count = 1;  // too wide a filter: refused as a whole
-  return {count, count == 1 ? 0 : margin, held(count)};
 }
 
 class MapShadowGpu : public GpuShadow {
@@ -97,11 +75,8 @@ class MapShadowGpu : public GpuShadow {
 
 Result<void> MapShadowGpu::make() {
   CUTICLE_EXPECT(description_.own.size() <= 3, "three numbers fit into the push constants");
-  // Lookups read most maps as texels of 4 bytes, of which a view holds fewer than a storage buffer may.
-  const gpu::DeviceInfo& limits = device_->info();
-  const std::uint64_t most_bytes = std::min(limits.max_storage_buffer_bytes, limits.max_texel_buffer_bytes / 4);
-  strips_ = description_.need.grown.empty() ? strips_of(description_.settings, description_.layers, most_bytes)
-                                            : strips_of(description_.settings, 1, most_bytes);
+  const std::uint64_t layers = description_.need.grown.empty() ? description_.layers : 1;
+  strips_ = strips_of(description_.settings, layers, device_->info());
   for (MapBuffer& buffer : description_.buffers) {
     if (buffer.per_strip) buffer.words = strips_.texels * description_.layers;
     CUTICLE_ASSIGN(gpu::Buffer made, device_->make_buffer(4 * buffer.words));
