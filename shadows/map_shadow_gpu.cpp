@@ -6,7 +6,7 @@
 #include <fmt/core.h>
 
 #include "gpu/groups.h"
-#include "shadows/map_strips.h"
+#include "shadows/map_strips_gpu.h"
 #include "strands/lod/strand_list_gpu.h"
 
 #include <map_fit_comp.spv.h>
