@@ -1,6 +1,6 @@
 // The sums of a series without the receiver's own fibre. The shader that includes this says, as k_max_functions, how many
-// sums a texel may have; how many it has is a constant, so that loops over them come out as straight
-// code: software Vulkan reads an array's numbers one by one where it does not know which they are.
+// sums a texel may have; how many it has is a constant, so that loops over them come out as straight code: software
+// Vulkan reads an array's numbers one by one where it does not know which they are.
 #include "shadows/fibres.glslh"
 #include "shadows/map_filter.glsl"
 #include "shadows/series.glslh"
