@@ -1,11 +1,12 @@
-// What a picture of hair costs (CUTICLE_DEVICE chooses the device): bench_render [GROOM] [bench/reference.json] [tiles].
-// GROOM: the ponytail of TressFX (a .tfxproj), drawn with four followers a guide at 1280 x 720, Marschner by tables,
-// deep opacity shadows and the scene's depth, by each method: best of some frames by wall clock and by processor time,
-// each pass's best by timestamps, device memory. Then growth: wall time of 'tiles' from 1,000 to 1,000,000 strands of
+// What a picture of hair costs (CUTICLE_DEVICE chooses the device): bench_render [GROOM] [bench/reference.json] [tiles]
+// [parts=N]. GROOM: the ponytail of TressFX (a .tfxproj), drawn with four followers a guide at 1280 x 720, Marschner by
+// tables, deep opacity shadows and the scene's depth, by each method: best of some frames by wall clock and by processor
+// time, each pass's best by timestamps, device memory; with light at N places along each segment (groom.segment_parts). Then growth: wall time of 'tiles' from 1,000 to 1,000,000 strands of
 // the procedural head at 640 x 640, of 8 vertices, since a million of 16 pass software Vulkan's largest buffer (128 MiB).
 // With the word tiles only the first of these.
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <span>
 #include <string_view>
@@ -76,8 +77,10 @@ void print(std::string_view method, int frames, const Best& best, double scale) 
   std::fflush(stdout);
 }
 
-Result<void> time_ponytail(const std::string& groom, double scale, std::span<const std::string_view> methods) {
+Result<void> time_ponytail(const std::string& groom, int parts, double scale,
+                           std::span<const std::string_view> methods) {
   CUTICLE_ASSIGN(scene::Scene scene, ponytail(groom));
+  scene.groom.segment_parts = parts;
   fmt::print("{}: {} strands x {}, 1280 x 720\n", groom, scene.strand_count, scene.strand_vertices);
   for (std::string_view method : methods) {
     scene.render_method = method;
@@ -114,16 +117,19 @@ int main(int argc, char** argv) {
   constexpr std::string_view k_methods[] = {"tiles", "quads", "lines"};
   std::string groom, reference;
   bool all = true;
+  int parts = 0;  // as many as the program finds fit
   for (const std::string_view argument : std::span(argv, std::size_t(argc)).subspan(1)) {
     if (argument == k_methods[0])
       all = false;
+    else if (argument.starts_with("parts="))
+      parts = std::atoi(argument.substr(6).data());
     else
       (argument.ends_with(".json") ? reference : groom) = argument;
   }
   const double scale = reference.empty() ? 1 : bench::machine_scale(reference);
   fmt::print("this machine takes {:.2f} times as long as the reference\n", scale);
   Result<void> done;
-  if (!groom.empty()) done = time_ponytail(groom, scale, std::span(k_methods).first(all ? 3 : 1));
+  if (!groom.empty()) done = time_ponytail(groom, parts, scale, std::span(k_methods).first(all ? 3 : 1));
   if (done && all) done = time_growth(scale);
   if (!done) fmt::print("{}\n", done.error().message);
   return done ? 0 : 1;

@@ -15,8 +15,8 @@ float averaged(int i, int j, float z) {
   return (push.flags & k_poisson) != 0u ? exponent : exp(exponent);
 }
 
-/// Loops end at their last line: on lavapipe one that asks first runs its body once more, masked.
-float mean_transmittance(vec2 p, float z, float radius) {
+/// Over the disc. Loops end at their last line: on lavapipe one that asks first runs its body once more, masked.
+float mean_over_disc(vec2 p, float z, float radius) {
   const int reach = disc_reach(radius), j0 = int(floor(p.y));
   float sum = 0.0, weights = 0.0;
   int j = j0 - reach;
@@ -32,6 +32,18 @@ float mean_transmittance(vec2 p, float z, float radius) {
     } while (++i <= last);
   } while (++j <= j0 + reach);
   return (push.flags & k_poisson) != 0u ? exp(sum / weights) : min(1.0, sum / weights);
+}
+
+/// Lookups with many pieces of their own fibre go through the disc once more. On lavapipe a condition within the loops
+/// runs what it guards at every texel, masked; here a disc that no invocation asks for costs its first texel.
+float mean_transmittance(vec2 p, float z, float radius) {
+  are_kept = true;
+  float mean = mean_over_disc(p, z, radius);
+  if (own_pieces > k_kept_pieces) {
+    are_kept = false;
+    mean = mean_over_disc(p, z, radius);
+  }
+  return mean;
 }
 
 /// Whether a point in row y of the map is looked up in the strip that is kept now.

@@ -7,22 +7,33 @@
 void own_deposit(uint covered, uint depth_step);
 bool own_is_at_centre;  // of that texel: the own fibre holds it
 
-// Pieces of a lookup: two, which most have, in registers, and some more; the pieces of lookups with more are made again
-// for every texel.
-const uint k_named_pieces = 2u, k_kept_pieces = 6u;
-Footprint nearest_pieces[k_named_pieces];  // always read by constant numbers
-Footprint further_pieces[k_kept_pieces - k_named_pieces];
+// Pieces that may lie in a lookup's disc, in registers, always read by constant numbers; those of lookups with more are
+// made again for every texel.
+const uint k_kept_pieces = 3u;
+Footprint kept_pieces[k_kept_pieces];
 uint own_pieces = 0u;
 ivec2 own_texel;
+vec2 receiver_at;    // in texels of the map
+float disc_reached;  // texels from there within which lie the centres of all that a lookup averages
+
+/// Whether a footprint may cover a texel of the lookup's disc.
+bool may_reach_disc(Footprint footprint) {
+  const vec2 offset = receiver_at - footprint.from;
+  const float across = abs(exact_cross(footprint.direction, offset)), along = exact_dot(footprint.direction, offset);
+  return across <= footprint.half_width + disc_reached && along >= footprint.start - disc_reached &&
+         along <= footprint.end + disc_reached;
+}
 
 /// Keeps a piece as long as there is room.
 void piece(Footprint footprint) {
-  if (own_pieces == 0u) nearest_pieces[0] = footprint;
-  if (own_pieces == 1u) nearest_pieces[1] = footprint;
-  for (bool is_further = own_pieces >= k_named_pieces && own_pieces < k_kept_pieces; is_further; is_further = false)
-    further_pieces[own_pieces - k_named_pieces] = footprint;  // a loop is skipped where a condition would be masked
+  if (!may_reach_disc(footprint)) return;
+  if (own_pieces == 0u) kept_pieces[0] = footprint;
+  if (own_pieces == 1u) kept_pieces[1] = footprint;
+  if (own_pieces == 2u) kept_pieces[2] = footprint;
   ++own_pieces;
 }
+
+bool are_kept;  // whether walk_own() visits the kept pieces, or makes all of them again
 
 void visit_own(Footprint footprint) {
   const vec2 offset = texel_offset(footprint.from, own_texel.x, own_texel.y);
@@ -34,11 +45,10 @@ void visit_own(Footprint footprint) {
 /// Of segments that are not kept: those that may cover a row of texels, and the columns where they may.
 uint row_begin, row_end;
 vec2 row_columns;
-void enter_own_row(int j) {
+void enter_unkept_row(int j) {
   row_begin = own_end;
   row_end = own_begin;
   row_columns = vec2(3e38, -3e38);
-  if (own_pieces <= k_kept_pieces) return;
   for (uint s = own_begin; s < own_end; ++s) {
     const MapSegment segment = map_segment(s);
     const bool is_tip = segment.is_first || segment.is_last;
@@ -49,6 +59,10 @@ void enter_own_row(int j) {
     row_end = s + 1u;
     row_columns = vec2(min(row_columns.x, lower.x), max(row_columns.y, upper.x));
   }
+}
+
+void enter_own_row(int j) {
+  if (!are_kept) enter_unkept_row(j);
 }
 
 /// One loop over segments and their pieces, where they are not kept: lavapipe ends an invocation's loops after 65,535
@@ -68,27 +82,43 @@ void walk_unkept() {
 
 /// Pieces that are not there cover nothing.
 void walk_own() {
-  for (bool is_unkept = own_pieces > k_kept_pieces; is_unkept; is_unkept = false) walk_unkept();
-  const uint kept = own_pieces > k_kept_pieces ? 0u : own_pieces;
-  if (kept > 0u) visit_own(nearest_pieces[0]);
-  if (kept > 1u) visit_own(nearest_pieces[1]);
-  for (uint i = k_named_pieces; i < kept; ++i) visit_own(further_pieces[i - k_named_pieces]);
+  if (!are_kept) {
+    walk_unkept();
+  } else {
+    if (own_pieces > 0u) visit_own(kept_pieces[0]);
+    if (own_pieces > 1u) visit_own(kept_pieces[1]);
+    if (own_pieces > 2u) visit_own(kept_pieces[2]);
+  }
 }
 
 /// In texels of the map.
 MapPlacement own_placement;
-vec2 receiver_at;
-MapVertex vertex_now, vertex_before;
+MapVertex vertex_now, vertex_before, vertex_first;
+void return_to_own_vertex() { vertex_now = vertex_first; }
 float visit_own_vertex(uint v) {
   vertex_before = vertex_now;
   vertex_now = map_vertex(v);
   return length(place_in_map(own_placement, vertex_now.seen).xy - receiver_at);
 }
 
+/// The pieces of a segment that may lie in the disc.
+void walk_near_pieces(MapSegment segment) {
+  const uint pieces = pieces_of(segment, push.pieces_per_step);
+  const vec2 along = segment.b.xy - segment.a.xy;
+  const float inverse_square = 1.0 / max(dot(along, along), 1e-12);
+  const float share = dot(receiver_at - segment.a.xy, along) * inverse_square;
+  const float away = (disc_reached + 2.0 * segment.half_width) * sqrt(inverse_square);
+  uint i = uint(exact_clamp((share - away) * float(pieces), 0.0, float(pieces - 1u)));
+  const uint last = uint(exact_clamp((share + away) * float(pieces), 0.0, float(pieces - 1u)));
+  do {
+    piece(piece_of(segment, i, pieces));
+  } while (++i <= last);
+}
+
 void visit_own_segment(uint s, bool backward, bool is_first, bool is_last) {
   const MapVertex first = backward ? vertex_now : vertex_before, last = backward ? vertex_before : vertex_now;
   const MapSegment segment = segment_between(own_placement, first, last, is_first, is_last);
-  if (own_pieces <= k_kept_pieces) walk_pieces(segment, push.pieces_per_step);
+  if (own_pieces <= k_kept_pieces) walk_near_pieces(segment);
 }
 
 /// The receiver lies at vertex v, where segment s begins or would, seen from the light at `seen`, in the map at `at`.
@@ -97,6 +127,8 @@ void find_own(MapPlacement placement, uint s, uint v, vec3 seen, vec2 at, float 
   const float half_width = radius * placement.scale.x * view_scale(seen, push.reach);
   own_placement = placement;
   receiver_at = at;
+  disc_reached = max(disc_radius, 0.25) + 1.01;
   own_pieces = 0u;
+  vertex_first = map_vertex(v);
   find_own_segments(s, v, own_reach(disc_radius, half_width), own_slack(half_width));
 }

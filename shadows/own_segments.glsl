@@ -4,6 +4,8 @@
 
 /// The walk goes on to vertex v: its distance from the receiver across the light, in the units of reach and slack.
 float visit_own_vertex(uint v);
+/// The walk begins again at the vertex that it visited first.
+void return_to_own_vertex();
 /// Segment s, between the last two vertices visited; it begins at the later of them where `backward`.
 void visit_own_segment(uint s, bool backward, bool is_first, bool is_last);
 
@@ -55,36 +57,34 @@ LookupPlace lookup_place(vec3 on_axis, uint s, uint v) {
   return lookup_place(on_axis, own_along(s, v), texelFetch(vertices, int(v)).w);
 }
 
-/// Segments before and from `s`, which begins at vertex v or is the first behind it, as long as they are joined and still
-/// the receiver's own; the one that begins at v the receiver may lie on.
+/// Segments from `s` on and before it, which begins at vertex v or is the first behind it, as long as they are joined and
+/// still the receiver's own; the one that begins at v the receiver may lie on. One loop for both ways: neighbouring
+/// invocations then wait for the longest of their walks, not for the longest of each way.
 void find_own_segments(uint s, uint v, float reach, float slack) {
-  const bool has_before = ends_at(s, v), has_after = begins_at(s, v);
-  own_begin = own_end = s;
   const float away = visit_own_vertex(v);
-  float furthest = 0.0;
+  const bool has_after = begins_at(s, v), has_before = ends_at(s, v),
+             goes_back = has_before && is_still_own(away, 0.0, reach, slack);
+  own_begin = own_end = s;
+  if (!has_after && !goes_back) return;
+  bool backward = !has_after, goes_on;
+  float furthest = backward ? away : 0.0;
   uint at = v;
-  bool goes_on = has_after;
-  while (goes_on) {
-    at += segment_parts();
+  do {
+    at = backward ? at - segment_parts() : at + segment_parts();
+    own_begin -= backward ? 1u : 0u;
+    const uint segment = backward ? own_begin : own_end;
     const float next = visit_own_vertex(at);
-    const bool is_joined = begins_at(own_end + 1u, at);
-    visit_own_segment(own_end, false, own_end == s && !has_before, !is_joined);
-    ++own_end;
+    const bool is_joined = backward ? ends_at(segment, at) : begins_at(segment + 1u, at);
+    visit_own_segment(segment, backward, backward ? !is_joined : segment == s && !has_before,
+                      backward ? segment + 1u == s && !has_after : !is_joined);
+    own_end += backward ? 0u : 1u;
     goes_on = is_joined && is_still_own(next, furthest, reach, slack);
     furthest = max(furthest, next);
-  }
-  goes_on = has_before && is_still_own(away, 0.0, reach, slack);
-  if (!goes_on) return;
-  furthest = away;
-  at = v;
-  visit_own_vertex(v);
-  while (goes_on) {
-    at -= segment_parts();
-    const float next = visit_own_vertex(at);
-    const bool is_joined = ends_at(own_begin - 1u, at);
-    visit_own_segment(own_begin - 1u, true, !is_joined, own_begin == s && !has_after);
-    --own_begin;
-    goes_on = is_joined && is_still_own(next, furthest, reach, slack);
-    furthest = max(furthest, next);
-  }
+    if (!goes_on && !backward && goes_back) {
+      goes_on = backward = true;
+      furthest = away;
+      at = v;
+      return_to_own_vertex();
+    }
+  } while (goes_on);
 }

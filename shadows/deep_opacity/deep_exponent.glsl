@@ -9,7 +9,7 @@ layout(binding = 5) uniform usamplerBuffer sums;
 layout(binding = 6) uniform usamplerBuffer table;  // deposits, shares, the exponents of codes, what they are rounded by
 layout(std430, binding = 7) writeonly buffer Transmittance { float transmittance[]; };
 
-const uint k_bytes = 4u;  // k_bytes_flag of deep_opacity_gpu.cpp: sums are packed codes
+layout(constant_id = 0) const uint k_packed = 0u;  // 1: sums are codes, four in a word
 
 float fibre_exponent;
 uint first_stored = 0u;  // the texel that the sums begin with
@@ -50,14 +50,10 @@ uint code_of(uint sum) {
 
 /// The exponent before the end of layer i % layers of texel i / layers, without `own` of its sum.
 float exponent_before(uint i, uint own) {
-  const bool packed = (push.flags & k_bytes) != 0u;
-  const uint word = texelFetch(sums, int(packed ? i / 4u : i)).r;
-  float exponent = push.per_unit * float(word - own);
-  for (bool left = packed; left; left = false) {  // a loop is skipped where a condition would be masked
-    exponent = exponent_of_code(packed_code(word, i % 4u));
-    if (own > 0u) exponent = min(0.0, exponent - exponent_of_code(code_of(own)));
-  }
-  return exponent;
+  const uint word = texelFetch(sums, int(k_packed != 0u ? i / 4u : i)).r;
+  if (k_packed == 0u) return push.per_unit * float(word - own);
+  const float exponent = exponent_of_code(packed_code(word, i % 4u));
+  return own > 0u ? min(0.0, exponent - exponent_of_code(code_of(own))) : exponent;
 }
 
 float stored_exponent(uint texel, float z) {

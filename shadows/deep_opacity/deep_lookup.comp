@@ -8,9 +8,6 @@ layout(local_size_x = 64) in;
 
 float exponent_at(uint texel, float z) { return stored_exponent(texel, z); }
 
-/// Codes are kept of all strips.
-bool is_packed() { return (push.flags & k_bytes) != 0u; }
-
 /// Brings the sums around a point near at once: a filter's texels are read one after the other, and wait for memory one
 /// by one. True where all are the largest number, which sums never are.
 bool is_damaged(vec2 p) {
@@ -19,14 +16,14 @@ bool is_damaged(vec2 p) {
   for (int j = at.y - 1; j <= at.y + 1; ++j)
     for (int i = at.x - 1; i <= at.x + 1; i += 2)
       all &= texelFetch(sums, int((uint(j) * columns + uint(i) - first_stored) * push.layers)).r;
-  return all == 0xffffffffu && !is_packed();
+  return all == 0xffffffffu && k_packed == 0u;
 }
 
 void main() {
   const uint v = listed_vertex(invocation());
   if (v >= push.count) return;
   const MapPlacement placement = placement_of(least);
-  first_stored = is_packed() ? 0u : first_kept;
+  first_stored = k_packed != 0u ? 0u : first_kept;  // codes are kept of all strips
   const vec3 seen = in_light_axes(texelFetch(vertices, int(v)).xyz);
   if (!is_damaged(place_in_map(placement, seen).xy)) look_up(placement, v);
 }

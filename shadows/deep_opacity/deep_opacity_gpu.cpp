@@ -25,7 +25,6 @@ namespace cuticle::shadows::deep_opacity {
 namespace {
 
 constexpr std::uint32_t k_equal_opacity_flag = 2;  // k_equal_opacity of deep_layers.comp
-constexpr std::uint32_t k_bytes_flag = 4;          // k_bytes of deep_lookup.comp
 enum Own : int {
   k_sums = k_own,
   k_ranges,
@@ -109,8 +108,7 @@ MapDescription description(const Settings& settings) {
   map.settings = settings.map;
   map.intervals = float(k_depth_steps);
   map.layers = settings.layers;
-  map.flags =
-      (settings.spacing == Spacing::equal_opacity ? k_equal_opacity_flag : 0) | (settings.bytes ? k_bytes_flag : 0);
+  map.flags = settings.spacing == Spacing::equal_opacity ? k_equal_opacity_flag : 0;
   map.pieces_per_step = k_pieces_per_step;
   map.after_deposits = after_deposits(settings);
   map.buffers = buffers_of(settings);
@@ -151,6 +149,7 @@ MapDescription description(const Settings& settings) {
                   k_deposits, k_transmittance},
                  MapRun::per_vertex};
   lookup.texels = {3, 4, 5, 6};
+  lookup.constants = {settings.bytes ? 1u : 0u};
   lookup.per_strip = !settings.sparse && !settings.bytes;
   if (settings.sparse) {
     lookup.code = deep_tile_lookup_comp;

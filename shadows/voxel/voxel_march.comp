@@ -48,6 +48,7 @@ float visit_own_vertex(uint v) {
   return length(away - dot(away, push.forward.xyz) * push.forward.xyz);
 }
 
+void return_to_own_vertex() {}
 void visit_own_segment(uint s, bool backward, bool is_first, bool is_last) {}
 
 /// What the samples of a ray read of the receiver's own fibre.
