@@ -174,6 +174,24 @@ TEST(FrameFacts, ListsBeyondTheirBudget_AreLearntOnce) {
   EXPECT_LE(repeats, 1u);
 }
 
+/// Lists of fragments that outgrow the room they begin with.
+constexpr std::string_view k_long_lists =
+    R"("strand_count": 3000, "shadow": {"method": {"exact_list": {"resolution": 1024}}})";
+
+TEST(FrameFacts, ShadowsThatNeedRoom_AreCountedBeforeTheyAreMadeAndHairIsDrawn) {
+  const auto made = runner({k_light, k_tiles, k_turntable, k_long_lists});
+  const FrameResult first = frame_of(*made, 0), next = frame_of(*made, 1);
+  const auto work_of = [](const FrameResult& frame, std::string_view name) {
+    const auto pass = std::ranges::find(frame.cost.passes, name, &gpu::PassCost::name);
+    return pass == frame.cost.passes.end() ? 0u : pass->dispatches;
+  };
+  EXPECT_EQ(first.repeats, 1u);
+  EXPECT_GT(work_of(first, "exact_list"), work_of(next, "exact_list"));
+  EXPECT_LT(work_of(first, "exact_list"), 2 * work_of(next, "exact_list"));
+  EXPECT_GT(work_of(next, "tiles"), 0u);
+  EXPECT_EQ(work_of(first, "tiles"), work_of(next, "tiles"));
+}
+
 /// What the passes of a frame say, over the time of its submissions and over what the clock says.
 struct Shares {
   double submissions = 0, clock = 0;

@@ -19,11 +19,7 @@
 
 namespace cuticle::plan {
 
-namespace {
-
 constexpr int k_max_at_once = 4096, k_usual_chunk = 1024;  ///< pixels each way
-
-}  // namespace
 
 Result<std::unique_ptr<Picture>> Picture::create(std::shared_ptr<gpu::Device> device, const scene::Scene& scene,
                                                  const StrandSet& set, const Plan& plan, const Camera& first_camera,
@@ -221,11 +217,12 @@ std::uint32_t Picture::casting_strands(const Camera& camera) {
 
 /// Strands and shadows are those of the frame's first chunk; of a picture that is painted again, what comes before
 /// `from` is there already.
-Result<void> Picture::record_passes(gpu::Commands& commands, registry::Stage from) {
-  auto left = std::ranges::count_if(passes_, [&](const DrawnPass& drawn) { return drawn.draws && runs(drawn.name); });
+Result<void> Picture::record_passes(gpu::Commands& commands, std::span<DrawnPass> passes, registry::Stage from) {
+  auto left = std::ranges::count_if(passes, [&](const DrawnPass& drawn) { return drawn.draws && runs(drawn.name); });
   resources_.edit<render::Targets>().keep = false;
-  if (left == 0 && frame_plan_ && frame_plan_->runs("resolve")) clear_targets(commands);
-  for (DrawnPass& drawn : passes_) {
+  const bool ends = passes.empty() || &passes.back() == &passes_.back();
+  if (ends && left == 0 && frame_plan_ && frame_plan_->runs("resolve")) clear_targets(commands);
+  for (DrawnPass& drawn : passes) {
     const bool is_there = drawn.stage < from || (drawn.stage <= registry::Stage::shadow && !begins_frame());
     if (is_there || !runs(drawn.name)) continue;
     if (drawn.draws) resources_.edit<render::Targets>().resolves = --left == 0;
@@ -246,13 +243,33 @@ void Picture::clear_targets(gpu::Commands& commands) {
   commands.end_rendering();
 }
 
+/// The passes up to the last that makes shadows, where others follow and none of them draws into the targets.
+std::span<Picture::DrawnPass> Picture::passes_of_shadows() {
+  const auto is_early = [](const DrawnPass& drawn) { return drawn.stage <= registry::Stage::shadow; };
+  const auto last = std::find_if(passes_.rbegin(), passes_.rend(), is_early);
+  const std::span passes = std::span(passes_).first(std::size_t(passes_.rend() - last));
+  if (last == passes_.rbegin() || std::ranges::any_of(passes, &DrawnPass::draws)) return {};
+  return passes;
+}
+
+/// The first picture's shadows settle before it is drawn with them: lists of fragments learn there what room they take.
 Result<gpu::SubmitCost> Picture::paint_part(Trace* trace) {
   gpu::SubmitCost spent;
+  const std::span first = shadows_settled_ ? std::span<DrawnPass>() : passes_of_shadows();
+  if (!first.empty()) CUTICLE_TRY(paint_passes(trace, first, spent));
+  CUTICLE_TRY(paint_passes(trace, std::span(passes_).subspan(first.size()), spent));
+  shadows_settled_ = true;
+  return spent;
+}
+
+Result<void> Picture::paint_passes(Trace* trace, std::span<DrawnPass> passes, gpu::SubmitCost& spent) {
   for (registry::Stage from = registry::Stage::prepare;; ++repeats_) {
-    CUTICLE_ASSIGN(const gpu::SubmitCost cost, paint_once(trace, from));
+    gpu::Commands commands = device_->record();
+    CUTICLE_TRY(record_passes(commands, passes, from));
+    CUTICLE_ASSIGN(const gpu::SubmitCost cost, device_->submit(std::move(commands), trace));
     add_cost(cost, spent);
-    CUTICLE_ASSIGN(const std::optional<registry::Stage> again, settle());
-    if (!again) return spent;
+    CUTICLE_ASSIGN(const std::optional<registry::Stage> again, settle(passes));
+    if (!again) return {};
     from = *again;
   }
 }
@@ -291,9 +308,9 @@ Result<void> Picture::keep_part() {
 }
 
 /// The first stage that has to run again; none: all is there. Adds each note once: chunks may say the same.
-Result<std::optional<registry::Stage>> Picture::settle() {
+Result<std::optional<registry::Stage>> Picture::settle(std::span<DrawnPass> passes) {
   std::optional<registry::Stage> again;
-  for (DrawnPass& drawn : passes_) {
+  for (DrawnPass& drawn : passes) {
     if (!runs(drawn.name)) continue;
     CUTICLE_ASSIGN(const render::Settled settled, memory_.count(drawn.name, [&] { return drawn.pass->settle(); }));
     if (!settled.holds) again = std::min(again.value_or(drawn.stage), drawn.stage);
@@ -319,12 +336,6 @@ void Picture::use_frame(const PictureInput& input) {
   resources_.take_out<render::PosedCharacter>();
   if (input.records_character) resources_.put(input.character->posed());
   resources_.edit<render::DrawnHair>().casters = casters();
-}
-
-Result<gpu::SubmitCost> Picture::paint_once(Trace* trace, registry::Stage from) {
-  gpu::Commands commands = device_->record();
-  CUTICLE_TRY(record_passes(commands, from));
-  return device_->submit(std::move(commands), trace);
 }
 
 const lut::TableSet* Picture::tables() const { return render::bake_tables::table_set_of(resources_); }

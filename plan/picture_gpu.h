@@ -66,6 +66,14 @@ class Picture {
   const lut::TableSet* tables() const;
 
  private:
+  struct DrawnPass {
+    std::string_view name;
+    registry::Stage stage;
+    bool draws;  ///< into the targets
+    std::span<const render::Use> uses;
+    std::unique_ptr<render::GpuPass> pass;
+  };
+
   Picture(std::shared_ptr<gpu::Device> device, const scene::Scene& scene, const StrandSet& set, const Plan& plan)
       : device_(std::move(device)), scene_(scene), set_(set), plan_(plan), memory_(*device_) {}
   Result<void> make_generator();
@@ -83,13 +91,14 @@ class Picture {
   bool begins_frame() const { return !in_chunks() || resources_.get<render::FrameView>().part_corner == glm::ivec2(0); }
   void use_frame(const PictureInput& input);
   Result<gpu::SubmitCost> paint_part(Trace* trace);
-  Result<gpu::SubmitCost> paint_once(Trace* trace, registry::Stage from);
+  std::span<DrawnPass> passes_of_shadows();
+  Result<void> paint_passes(Trace* trace, std::span<DrawnPass> passes, gpu::SubmitCost& spent);
   bool runs(std::string_view pass) const { return !frame_plan_ || frame_plan_->runs(pass); }
   Result<void> keep_part();
-  Result<std::optional<registry::Stage>> settle();
+  Result<std::optional<registry::Stage>> settle(std::span<DrawnPass> passes);
   std::uint32_t strands_of_level() const;
   shadows::GpuStrands casters() const;
-  Result<void> record_passes(gpu::Commands& commands, registry::Stage from);
+  Result<void> record_passes(gpu::Commands& commands, std::span<DrawnPass> passes, registry::Stage from);
   void clear_targets(gpu::Commands& commands);
 
   std::shared_ptr<gpu::Device> device_;
@@ -101,18 +110,12 @@ class Picture {
   gpu::Texture color_, depth_, resolved_, output_;
   Image chunks_;  ///< the picture, of one that is drawn in chunks
   render::Resources resources_;
-  struct DrawnPass {
-    std::string_view name;
-    registry::Stage stage;
-    bool draws;  ///< into the targets
-    std::span<const render::Use> uses;
-    std::unique_ptr<render::GpuPass> pass;
-  };
   std::vector<DrawnPass> passes_;
   std::vector<std::string> notes_;
   MemoryMeter memory_;
   const FramePlan* frame_plan_ = nullptr;  ///< of the picture being painted
   std::uint32_t repeats_ = 0;
+  bool shadows_settled_ = false;  ///< a picture has been painted
 };
 
 }  // namespace cuticle::plan

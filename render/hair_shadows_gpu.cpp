@@ -1,5 +1,7 @@
 #include "render/hair_shadows_gpu.h"
 
+#include <utility>
+
 #include "render/lights_gpu.h"
 #include "render/passes/strands_in_sight/strands_in_sight_gpu.h"
 
@@ -41,13 +43,32 @@ void HairShadows::publish(Resources& resources) const {
   resources.put(std::move(found));
 }
 
+HairShadows::Task HairShadows::task_of(std::size_t method) const {
+  if (root_) return {method, *root_};
+  return {method / channels_.count, method % channels_.count};
+}
+
+Result<void> HairShadows::record_counts(gpu::Commands& commands, const Resources& resources,
+                                        const shadows::GpuStrands& strands) {
+  for (std::size_t k = 0; k < methods_.size(); ++k) {
+    const Task task = task_of(k);
+    const shadows::LightSource source = source_of(resources.get<Lights>().all[task.light]);
+    CUTICLE_ASSIGN(const bool counts,
+                   methods_[k]->record_counts(commands, strands, channels_.alpha[task.channel], source));
+    only_counts_ = only_counts_ || counts;
+  }
+  return {};
+}
+
 Result<void> HairShadows::record(gpu::Commands& commands, const Resources& resources) {
   const DrawnHair& hair = resources.get<DrawnHair>();
   shadows::GpuStrands strands = hair.casters;
   if (const auto* const seen = resources.find<strands_in_sight::StrandsInSight>()) strands.receivers = &seen->list;
+  if (!std::exchange(has_counted_, true)) CUTICLE_TRY(record_counts(commands, resources, strands));
+  if (only_counts_) return {};
   for (std::size_t k = 0; k < methods_.size(); ++k) {
-    const std::size_t light = root_ ? k : k / channels_.count, of = root_ ? *root_ : k % channels_.count,
-                      first = light * channels_.count;
+    const auto [light, of] = task_of(k);
+    const std::size_t first = light * channels_.count;
     CUTICLE_TRY(methods_[k]->record(commands, strands, channels_.alpha[of],
                                     source_of(resources.get<Lights>().all[light]), transmittance_[first + of]));
     for (std::size_t other = 0; root_ && other < channels_.count; ++other)
@@ -59,7 +80,7 @@ Result<void> HairShadows::record(gpu::Commands& commands, const Resources& resou
 }
 
 Result<Settled> HairShadows::settle() {
-  Settled settled;
+  Settled settled{.holds = !std::exchange(only_counts_, false)};
   for (const auto& method : methods_) {
     CUTICLE_ASSIGN(const shadows::MapRoom room, method->settle());
     settled.holds = settled.holds && room.holds;

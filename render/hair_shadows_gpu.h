@@ -26,12 +26,19 @@ class HairShadows : public GpuPass {
  private:
   Result<void> make_methods(const std::shared_ptr<gpu::Device>& device, std::string_view name,
                             const registry::ParameterValues& values, std::size_t lights);
+  /// One of `methods_`: whose light it shadows, and by which of the channels' opacities.
+  struct Task {
+    std::size_t light, channel;
+  };
+  Task task_of(std::size_t method) const;
+  Result<void> record_counts(gpu::Commands& commands, const Resources& resources, const shadows::GpuStrands& strands);
 
   std::vector<std::unique_ptr<shadows::GpuShadow>> methods_;  ///< one per buffer, or per light by the root
   shadows::Channels channels_;
   std::vector<gpu::Buffer> transmittance_;  ///< HairTransmittance::reached
   std::optional<std::uint32_t> root_;       ///< shadows::root_opacity
   shadows::ChannelPowers powers_;           ///< made where there is a root
+  bool has_counted_ = false, only_counts_ = false;  ///< ever; what the last record did
 };
 
 }  // namespace cuticle::render

@@ -27,6 +27,7 @@ MapDescription describe_lists(const MapSettings& settings) {
               .room = map.layers,
               .most_room = settings.list_room() / sizeof(Fragment),
               .grown = {k_list_fragments},
+              .counting = 3,
               .item_bytes = sizeof(Fragment),
               .items = "fragments in the fullest strip of rows",
               .advice = "raise room_mib or lower the resolution"};

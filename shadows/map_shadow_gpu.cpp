@@ -36,6 +36,8 @@ class MapShadowGpu : public GpuShadow {
   Result<void> make();
   Result<void> record(gpu::Commands& commands, const GpuStrands& strands, double alpha, const LightSource& light,
                       const gpu::Buffer& transmittance) override;
+  Result<bool> record_counts(gpu::Commands& commands, const GpuStrands& strands, double alpha,
+                             const LightSource& light) override;
   Result<void> record_fragments(gpu::Commands& commands, const GpuStrands& strands, const LightSource& light,
                                 const FragmentTarget& target) override;
   Result<MapRoom> settle() override;
@@ -48,6 +50,8 @@ class MapShadowGpu : public GpuShadow {
   Result<void> make_drawing();
   Result<void> make_fragments();
   Result<void> make_kernels();
+  Result<void> record_passes(std::size_t passes, gpu::Commands& commands, const GpuStrands& strands, double alpha,
+                             const LightSource& light, const gpu::Buffer& transmittance);
   bool make_room(std::uint64_t needed);
   bool grow(std::uint64_t room);
   void draw(gpu::Commands& commands, const GpuStrands& strands, MapPush push) const;
@@ -245,6 +249,20 @@ Result<void> MapShadowGpu::record(gpu::Commands& commands, const GpuStrands& str
     if (strands.vertex_count > 0) commands.fill(transmittance, std::bit_cast<std::uint32_t>(1.0f));
     return {};
   }
+  return record_passes(kernels_.size(), commands, strands, alpha, light, transmittance);
+}
+
+Result<bool> MapShadowGpu::record_counts(gpu::Commands& commands, const GpuStrands& strands, double alpha,
+                                         const LightSource& light) {
+  const MapNeed& need = description_.need;
+  has_run_ = need.counting > 0 && dispatches_per_frame(strands) > 0;
+  const gpu::Buffer& none = box_;  // these passes look nothing up
+  if (has_run_) CUTICLE_TRY(record_passes(need.counting, commands, strands, alpha, light, none));
+  return has_run_;
+}
+
+Result<void> MapShadowGpu::record_passes(std::size_t passes, gpu::Commands& commands, const GpuStrands& strands,
+                                         double alpha, const LightSource& light, const gpu::Buffer& transmittance) {
   if (description_.in_world && light.position) return point_light_refused(description_.settings.method);
   CUTICLE_ASSIGN(const LightAxes axes, light_axes(light, strands.bounds));
   CUTICLE_TRY(deposits_.update(*device_, alpha, (description_.signed_sums ? 2ull : 1ull) * strands.segment_count));
@@ -256,8 +274,8 @@ Result<void> MapShadowGpu::record(gpu::Commands& commands, const GpuStrands& str
     for (std::size_t i = first; i < end; ++i)
       run(commands, description_.passes[i], kernels_[i], strands, push, transmittance);
   };
-  for (std::size_t first = 0, end = 0; first < kernels_.size(); first = end) {
-    end = end_of_strip_passes(first);
+  for (std::size_t first = 0, end = 0; first < passes; first = end) {
+    end = std::min(passes, end_of_strip_passes(first));
     const std::uint32_t strips = end > first ? strips_.count : 1, margin = end > first ? strips_.margin : 0;
     end = std::max(end, first + 1);
     for (std::uint32_t strip = 0; strip < strips; ++strip) {

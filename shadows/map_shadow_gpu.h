@@ -30,6 +30,7 @@ struct MapNeed {
   std::uint64_t room = 0;        ///< items that there is room for
   std::uint64_t most_room = 0;   ///< that settle() may make room for
   std::vector<int> grown = {};   ///< buffers that hold them; passes find the room in push.layers
+  std::size_t counting = 0;      ///< the first so many passes count the items
   std::uint64_t item_bytes = 0;  ///< in each
   std::string_view items, advice;
 };

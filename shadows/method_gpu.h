@@ -47,6 +47,9 @@ class GpuShadow {
   virtual ~GpuShadow() = default;
   virtual Result<void> record(gpu::Commands& commands, const GpuStrands& strands, double alpha,
                               const LightSource& light, const gpu::Buffer& transmittance) = 0;
+  /// Records only that by which settle() learns how much room the map takes, which a first picture wants to know before
+  /// it is filled. False: nothing was recorded, as the room is known or nothing casts. Errors: those of `record`.
+  virtual Result<bool> record_counts(gpu::Commands&, const GpuStrands&, double, const LightSource&) { return false; }
   /// After `record` with the same strands and light: transmittance at points between vertices, looked up in the map.
   /// Error: usage, of a method whose map is not looked up there, or where the target has no room for all segments.
   virtual Result<void> record_fragments(gpu::Commands& commands, const GpuStrands& strands, const LightSource& light,
