@@ -1,9 +1,10 @@
 // What a picture of hair costs (CUTICLE_DEVICE chooses the device): bench_render [GROOM] [bench/reference.json] [tiles]
 // [parts=N]. GROOM: the ponytail of TressFX (a .tfxproj), drawn with four followers a guide at 1280 x 720, Marschner by
-// tables, deep opacity shadows and the scene's depth, by each method: best of some frames by wall clock and by processor
-// time, each pass's best by timestamps, device memory; with light at N places along each segment (groom.segment_parts). Then growth: wall time of 'tiles' from 1,000 to 1,000,000 strands of
-// the procedural head at 640 x 640, of 8 vertices, since a million of 16 pass software Vulkan's largest buffer (128 MiB).
-// With the word tiles only the first of these.
+// tables, deep opacity shadows and the scene's depth, by each method, with light at N places along each segment
+// (groom.segment_parts): best of some frames by wall clock and by processor time, each pass's best by timestamps, device
+// memory. Then growth: wall time of 'tiles' from 1,000 to 1,000,000 strands of the procedural head at 640 x 640, of 8
+// vertices, since a million of 16 pass software Vulkan's largest buffer (128 MiB). With the word tiles only the first of
+// these.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
