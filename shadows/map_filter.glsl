@@ -34,12 +34,14 @@ float mean_over_disc(vec2 p, float z, float radius) {
   return (push.flags & k_poisson) != 0u ? exp(sum / weights) : min(1.0, sum / weights);
 }
 
-/// Lookups with many pieces of their own fibre go through the disc once more. On lavapipe a condition within the loops
-/// runs what it guards at every texel, masked; here a disc that no invocation asks for costs its first texel.
+/// Lookups with many pieces of their own fibre go through the disc by loops of their own. On lavapipe a condition within
+/// the loops runs what it guards at every texel, masked; here a disc that no invocation asks for costs its first texel.
 float mean_transmittance(vec2 p, float z, float radius) {
-  are_kept = true;
-  float mean = mean_over_disc(p, z, radius);
-  if (own_pieces > k_kept_pieces) {
+  float mean = 0.0;
+  if (own_pieces <= k_kept_pieces) {
+    are_kept = true;
+    mean = mean_over_disc(p, z, radius);
+  } else {
     are_kept = false;
     mean = mean_over_disc(p, z, radius);
   }
