@@ -21,7 +21,7 @@ enum class Spacing { equal_opacity, geometric, equal };
 /// The method's parameters, in SI units.
 struct Settings {
   MapSettings map{.method = "deep_opacity"};
-  std::uint32_t layers = 4;
+  std::uint32_t layers = 16;
   Spacing spacing = Spacing::equal_opacity;
   bool bytes = false;      ///< T before each layer's end in 8 bits; else sigma in 32
   bool sparse = false;     ///< only tiles of 4 x 4 texels that hold hair are stored
