@@ -34,22 +34,19 @@ void end_segment();  // it has been drawn on all pixels of the block
 
 uint vertex_of(uint entry) { return texelFetch(ordered, int(2u * entry + 1u)).r; }
 
-// Width is that where the segment passes the tile's middle.
 Prepared set_up(uint entry, uint end, vec2 tile_middle) {
   bool used = entry < end;
   uint vertex = vertex_of(min(entry, end - 1u));
   ProjectedSegment own = segment_from_vertex(vertex);
   float half_length = own.half_length, len = 2.0 * half_length, reach = 0.7072 * float(k_tile);
   float s = dot(tile_middle, own.axis.xy) + own.axis.w;
-  float half_width = own.half_width + own.width_slope * clamp(s, -half_length, half_length);
   vec2 ends = own.inverse_depth + own.depth_slope * clamp(vec2(s - reach, s + reach), -half_length, half_length);
   used = used && !depth_culled(min(ends.x, ends.y), max(ends.x, ends.y));
   float per_pixel = len > k_shortest ? 1.0 / len : 0.0;
   vec3 shade[2] = vec3[2](0.5 * (own.first + own.last), (own.last - own.first) * per_pixel);
   if (k_parts > 1u) shade = parts_of(own, per_pixel);
   return Prepared(own.axis,
-                  vec4(half_width + 0.5, used ? min(1.0, 2.0 * half_width) * push.opacity : 0.0, half_length + 0.5,
-                       min(1.0, len)),
+                  vec4(own.half_width, used ? push.opacity : 0.0, half_length, own.width_slope),
                   vec4(shade[0], own.inverse_depth), vec4(shade[1], own.depth_slope), vertex);
 }
 
@@ -61,7 +58,6 @@ uvec2 block_of(uint lane, uvec2 corner) { return corner + first_of_block(lane / 
 
 void begin_block(uvec2 block) {
   looked_at = 0u;
-  empty_spans();
   [[unroll]] for (int k = 0; k < k_block; ++k) {
     uvec2 at = min(block + in_block(k), push.part - 1u);
     transmittance[k] = 1.0;

@@ -76,5 +76,6 @@ float sum_in_all(float own) {
   subgroupBarrier();
   float sum = values[0];
   [[unroll]] for (uint k = 1u; k < k_lanes; ++k) sum += values[k];
+  subgroupBarrier();
   return sum;
 }

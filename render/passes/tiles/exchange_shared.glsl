@@ -26,7 +26,7 @@ vec2 own_size() { return 0.5 * vec2(in_block(k_block - 1) - in_block(0) + 1u); }
 
 vec2 reach_of(Prepared own) {
   vec2 size = own_size(), along = abs(own.axis.xy);
-  float half_width = own.extent.x - 0.5, half_length = own.extent.z - 0.5;
+  float half_length = own.extent.z, half_width = own.extent.x + abs(own.extent.w) * half_length;
   return vec2(half_width + dot(along.yx, size), half_length + cap_of(half_width) + dot(along, size)) + k_margin;
 }
 

@@ -12,7 +12,8 @@ uint own_lane();  // of exchange_records.glsl or exchange_shared.glsl
 // Of areas.glsl or spans.glsl: with x and y exchanged where the tile is drawn so; whether it is, from its segments.
 uvec2 turned(uvec2 value);
 void choose_turn(uint begin, uint end);
-void empty_spans();  // nothing of the block is covered
+uint drawings_of_tile();  // how many times it is drawn; its picture is the mean
+void begin_drawing(uint drawing);  // nothing of the block is covered
 float seen_share(float left, float covered);  // of a pixel, of which so much lets through and a segment covers so much
 bool is_full();  // nothing more can be seen on the invocation's pixels
 
@@ -24,13 +25,19 @@ uvec2 first_of_block(uint block) {
 int pixel_of(int k) { return int(own_lane() % k_sharers) * k_block + k; }
 uvec2 in_block(int k) { return turned(uvec2(pixel_of(k) & 1, pixel_of(k) >> 1)); }
 
-// The axis: pixel q lies cross(xy, q) + z across it and dot(xy, q) + w along it. Extents and limits of the coverage
-// across and along. Colour (or parts_of of part_colors.glsl) and 1 / depth at the middle of the axis, and how they change
-// per pixel.
+// The axis: pixel q lies cross(xy, q) + z across it and dot(xy, q) + w along it. Extent: half width at the middle of the
+// axis, opacity (0: not to be drawn), half length, and how the half width changes per pixel. Colour (or parts_of of
+// part_colors.glsl) and 1 / depth at the middle of the axis, and how they change per pixel.
 struct Prepared {
   vec4 axis, extent, shade, slope;
   uint vertex;  // the first
 };
+
+// Half width in the middle of what a pixel may hold of the segment, whose middle lies so far along it.
+float half_width_at(Prepared own, float along) {
+  vec2 held = clamp(vec2(along - 0.5, along + 0.5), -own.extent.z, own.extent.z);
+  return own.extent.x + own.extent.w * 0.5 * (held.x + held.y);
+}
 
 // Of blocks.glsl: the first vertex of an entry of the tile's list; an entry as the tile draws it, unseen from `end` on.
 uint vertex_of(uint entry);

@@ -1,16 +1,23 @@
 // Coverage by samples: a pixel has k_rows rows of 32 each, and keeps which of them are covered, so that strands that
 // overlap in it count once and those side by side add up. On a row a segment covers one span, found without asking each
-// sample. Rows lie across most strands of the tile, where spans are shortest and rows cross all of them.
+// sample. Rows lie across most strands of the tile, where spans are shortest and rows cross all of them. Where strands lie
+// in all directions (fur) some lie along the rows: such a tile is drawn three times, each with rows between the others'.
 #include "render/passes/tiles/blocks.glsl"
 
 layout(constant_id = 1) const int k_rows = 8;
 
 const float k_columns = 32.0;  // of a pixel: a word holds a row
+// Of what strands lean to one side or the other, the least that is left of the sum where a tile is drawn once.
+const float k_least_agreement = 0.2;
+// Longer lists are drawn once: of the turns that lavapipe allows, a segment takes half of one, and with many rows three.
+const uint k_longest_drawn_again = k_rows > 8 ? 6000u : 32768u;
 const float k_least_lean = 1e-3;  // a span's ends are found by dividing by the parts of the direction
 
 uint spans[k_block * k_rows];
 float shifts[k_block * k_rows];  // of those rows, kept where each invocation has other pixels
 bool is_turned;
+uint drawings = 1u;
+vec2 samples_moved = vec2(0.0);  // from where they lie when a tile is drawn once, in pixels
 
 uvec2 turned(uvec2 value) { return is_turned ? value.yx : value; }
 
@@ -18,15 +25,22 @@ uvec2 turned(uvec2 value) { return is_turned ? value.yx : value; }
 // across all others.
 void choose_turn(uint begin, uint end) {
   const uint taken = 32u;
-  float lean = 0.0, per_step = float(end - begin) / float(taken);
+  float lean = 0.0, all_leans = 0.0, per_step = float(end - begin) / float(taken);
   [[unroll]] for (uint k = 0u; k < 4u; ++k) {
     uint step = 4u * own_lane() + k, entry = begin + uint((float(step) + 0.5) * per_step);
     ProjectedSegment own = segment_from_vertex(vertex_of(min(entry, end - 1u)));
     float area = own.half_width * min(own.half_length, float(k_tile));
-    lean += step < taken ? area * (abs(own.axis.x) - abs(own.axis.y)) : 0.0;
+    float own_lean = step < taken ? area * (abs(own.axis.x) - abs(own.axis.y)) : 0.0;
+    lean += own_lean;
+    all_leans += abs(own_lean);
   }
-  is_turned = sum_in_all(lean) > 0.0;
+  lean = sum_in_all(lean);
+  is_turned = lean > 0.0;
+  bool agrees = abs(lean) >= k_least_agreement * sum_in_all(all_leans);
+  drawings = agrees || end - begin > k_longest_drawn_again ? 1u : 3u;
 }
+
+uint drawings_of_tile() { return drawings; }
 
 // The samples that it covers are those that nothing before it did.
 float seen_share(float left, float covered) { return covered; }
@@ -48,7 +62,10 @@ float own_shift(int k, int row) {
   return shifts[k * k_rows + row];
 }
 
-void empty_spans() {
+// Of three drawings the samples lie a third of a row apart, and a third of the least step between columns.
+void begin_drawing(uint drawing) {
+  vec2 moved = ((float(drawing) + 0.5) / float(drawings) - 0.5) / float(k_rows) * vec2(1.0 / k_columns, 1.0);
+  samples_moved = is_turned ? moved.yx : moved;
   [[unroll]] for (int row = 0; row < k_block * k_rows; ++row) {
     spans[row] = 0u;
     if (k_sharers > 1u) shifts[row] = shift_of(pixel_of(row / k_rows), row % k_rows);
@@ -63,17 +80,16 @@ uint span_of(float first, float last) {
 
 // Draws it on the block whose first pixel has its middle there.
 void draw(Prepared own, vec2 first_pixel) {
+  first_pixel += samples_moved;
   vec4 line = own.axis, middle = own.shade, change = own.slope;
   float across = line.x * first_pixel.y - line.y * first_pixel.x + line.z;
   float along = line.x * first_pixel.x + line.y * first_pixel.y + line.w;
-  float half_width = own.extent.x - 0.5, half_length = own.extent.z - 0.5;
-  float reach = half_length + cap_of(half_width);
+  float half_length = own.extent.z;
   vec2 direction = is_turned ? line.yx : line.xy;
   float first_row = 0.5 / float(k_rows) - 0.5;
   // In columns: how far a row runs from the line across the middle to an end (x) and from the axis to a side (y).
   vec2 inverse = k_columns * vec2(inverse_lean(direction.x), inverse_lean(direction.y));
   vec2 per_row = vec2(-direction.y, direction.x) * inverse * (1.0 / float(k_rows));
-  vec2 extent = vec2(reach, half_width) * abs(inverse);
   bool is_used = own.extent.y > 0.0;
   const float share = 1.0 / (k_columns * float(k_rows));
   [[unroll]] for (int k = 0; k < k_block; ++k) {
@@ -82,6 +98,8 @@ void draw(Prepared own, vec2 first_pixel) {
     float at = clamp(s, -half_length, half_length), inverse_depth = middle.w + at * change.w;
     uint open = is_used && inverse_depth >= scene[k] ? ~0u : 0u;
     vec2 from_first_row = vec2(-(s + direction.y * first_row), (is_turned ? -d : d) + direction.x * first_row);
+    float half_width = half_width_at(own, s);
+    vec2 extent = vec2(half_length + cap_of(half_width), half_width) * abs(inverse);
     vec2 crossed = from_first_row * inverse + 0.5 * k_columns;
     vec2 least = crossed - extent, most = crossed + extent;
     int fresh = 0;
