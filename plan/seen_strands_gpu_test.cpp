@@ -20,8 +20,8 @@ constexpr std::string_view k_paths = R"("passes": {"reference": {"samples": 16, 
 constexpr std::string_view k_rows = R"("passes": {"tiles": {"coverage_rows": 16}})";
 constexpr std::string_view k_reference = R"("render": {"method": "reference"})";
 
-/// Sheaves of strands that cross before each other, without a head.
-std::string hair_alone() {
+/// Sheaves of strands that cross before each other, without a head; `in_all_directions`: every second one lies across.
+std::string hair_alone(bool in_all_directions = false) {
   strands::Groom groom;
   for (int s = 0; s < 300; ++s) {
     RandomStream chance(11, std::uint64_t(s));
@@ -29,14 +29,16 @@ std::string hair_alone() {
                 z = float(chance.next_unit());
     for (int k = 0; k < 8; ++k) {
       const float t = float(k) / 7;
-      groom.positions.emplace_back(0.2F * x + 0.08F * (t - 0.5F), 0.2F * (t - 0.5F) + 0.05F * y * t * t, 0.1F * z);
+      glm::vec3 point(0.2F * x + 0.08F * (t - 0.5F), 0.2F * (t - 0.5F) + 0.05F * y * t * t, 0.1F * z);
+      if (in_all_directions && s % 2 == 1) std::swap(point.x, point.y);
+      groom.positions.push_back(point);
       groom.radii.push_back(0.0015F * (1 - 0.5F * t));
     }
     groom.offsets.push_back(std::uint32_t(groom.positions.size()));
   }
   const auto folder = std::filesystem::path(CUTICLE_BINARY_DIR) / "seen_strands_gpu_test";
   std::filesystem::create_directories(folder);
-  const std::string path = (folder / "sheaves.npz").string();
+  const std::string path = (folder / (in_all_directions ? "crossing.npz" : "sheaves.npz")).string();
   EXPECT_TRUE(strands::write_groom(path, groom));
   return fmt::format(R"("groom": {{"file": "{}", "metres_per_unit": 1}})", path);
 }
@@ -78,6 +80,18 @@ TEST(SeenStrands, WithoutAHead_AddUpToThePictureWithinAThousandth) {
     std::printf("%s: %.6f over %d pixels\n", std::string(method).c_str(), largest, pixels);
     EXPECT_GT(pixels, 500) << method;
     EXPECT_LT(largest, 1e-3) << method;
+  }
+}
+
+// Tiles of such hair are drawn three times, and each tells what it saw.
+TEST(SeenStrands, InAllDirections_AddUpToThePictureWithinAThousandth) {
+  const std::string hair = hair_alone(true);
+  for (const std::string_view passes : {R"("passes": {})", R"("passes": {"tile_lists": {"lanes": 64}})",
+                                        R"("passes": {"tiles": {"coverage_rows": 3}})"}) {
+    const auto [largest, pixels] = apart_from_picture(frame_by({k_light, hair, k_tiles, passes, k_outputs}));
+    std::printf("%s: %.6f over %d pixels\n", std::string(passes).c_str(), largest, pixels);
+    EXPECT_GT(pixels, 500) << passes;
+    EXPECT_LT(largest, 1e-3) << passes;
   }
 }
 

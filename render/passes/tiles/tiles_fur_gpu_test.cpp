@@ -1,12 +1,15 @@
 // Coverage of fur: short strands that thin out to their tips and lie in all directions.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
+#include "tests/support/device_bound.h"
 #include "tests/support/tile_passes.h"
 
 namespace cuticle::render::tiles_fur_gpu_test {
 namespace {
 
-using tests::draw, tests::Drawing, tests::mean_difference;
+using tests::device, tests::draw, tests::Drawing, tests::mean_difference;
 
 /// Straight strands of two segments, so many pixels long and wide at the root, at random places.
 Drawing fur(int strands, float length, float width, float tip_share, float most_turn) {
@@ -46,6 +49,17 @@ TEST(TilesOfFur, StrandsInAllDirections_AreCoveredWithinAHundredth) {
     std::printf("%g px wide: coverage error %.5f\n", double(width), error);
     EXPECT_LT(error, 0.01) << width;
   }
+}
+
+TEST(TilesOfFur, DrawnBySixtyFourInvocations_IsTheSamePicture) {
+  Drawing drawing = fur(1500, 10, 0.2f, 0, 2 * std::numbers::pi_v<float>);
+  const Image eight = draw(drawing).color;
+  drawing.lanes = 64;
+  const Image sixty_four = draw(drawing).color;
+  double most = 0;
+  for (std::size_t k = 0; k < eight.pixels.size(); ++k)
+    most = std::max(most, double(std::abs(eight.pixels[k] - sixty_four.pixels[k])));
+  EXPECT_LE(most, tests::bound_for(*device(), 0, 0.02));
 }
 
 }  // namespace
