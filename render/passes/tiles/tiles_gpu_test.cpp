@@ -109,8 +109,8 @@ struct BundleCase {
 
 TEST(Tiles, BundleOfStrands_IsNearTheTruth) {
   for (const BundleCase& of :
-       {BundleCase{1, 0, 0.03, 0.035}, BundleCase{0.4, 8, 0.03, 0.035}, BundleCase{1, 2, 0.013, 0.02},
-        BundleCase{1, 4, 0.008, 0.016}, BundleCase{1, 8, 0.007, 0.015}, BundleCase{1, 16, 0.0065, 0.015}}) {
+       {BundleCase{1, 0, 0.023, 0.026}, BundleCase{0.4, 8, 0.018, 0.012}, BundleCase{1, 2, 0.0065, 0.012},
+        BundleCase{1, 4, 0.0035, 0.008}, BundleCase{1, 8, 0.0027, 0.0075}, BundleCase{1, 16, 0.0026, 0.0075}}) {
     Drawing drawing = bundle(300);
     drawing.opacity = of.opacity;
     drawing.coverage_rows = of.rows;
