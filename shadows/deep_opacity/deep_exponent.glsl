@@ -14,8 +14,10 @@ layout(constant_id = 0) const uint k_packed = 0u;  // 1: sums are codes, four in
 float fibre_exponent;
 uint first_stored = 0u;  // the texel that the sums begin with
 
+bool by_texel() { return (push.flags & k_by_texel_flag) != 0u; }
+
 uint own_range;                 // the texel's range
-uint layer_begin, layer_end;    // of the layer that is looked up, steps behind the nearest fibre
+uint layer_begin, layer_end;    // of the layer that is looked up, as layers count
 uint own_before, own_after;     // what the own fibre has left before that layer, and before its end
 bool is_nearest, is_farthest;   // whether it is the texel's nearest fibre, or its farthest
 
@@ -25,7 +27,8 @@ Layer layer_of(uint behind) {
 
 void own_deposit(uint covered, uint depth_step) {
   const uint nearest = range_nearest(own_range), behind = depth_step - min(depth_step, nearest);
-  const uint amount = texelFetch(table, int(covered)).r, at = table_step(behind);
+  const uint amount = texelFetch(table, int(covered)).r;
+  const uint at = table_step(layer_step(behind, range_extent(own_range), by_texel()));
   own_before += at < layer_begin ? amount : 0u;
   own_after += at < layer_end ? amount : 0u;
   is_nearest = is_nearest || behind == 0u;
@@ -59,9 +62,10 @@ float exponent_before(uint i, uint own) {
 float stored_exponent(uint texel, float z) {
   const uint range = texelFetch(ranges, int(texel)).r;
   const float depth = z - float(range_nearest(range)), extent = depth_extent(range);
+  const float step = layer_scale(extent, by_texel());
   float exponent = 0.0;
   if (range != k_no_range && depth > 0.0) {
-    const Layer layer = layer_of(uint(depth));
+    const Layer layer = layer_of(uint(depth * step));
     const bool is_behind = depth >= extent;
     own_range = range;
     layer_begin = layer.begin;
@@ -73,9 +77,9 @@ float stored_exponent(uint texel, float z) {
     const float after = exponent_before(i, own_after);
     float before = 0.0;
     if (layer.index > 0u && !is_behind) before = exponent_before(i - 1u, own_before);
-    exponent = exponent_within(layer, extent, depth, before, after, is_nearest ? 0.0 : fibre_exponent,
+    exponent = exponent_within(layer, extent * step, depth * step, step, before, after, is_nearest ? 0.0 : fibre_exponent,
                                is_farthest ? 0.0 : fibre_exponent,
-                               (push.flags & k_poisson) != 0u ? 0.0 : fibre_exponent);
+                               (push.flags & k_poisson) != 0u ? 0.0 : fibre_exponent, lookup_power);
   }
   return exponent;
 }

@@ -13,6 +13,10 @@ namespace {
 
 using Word = std::uint32_t;
 
+/// Layers of a texel's own hair are thinner toward the light, where hair is seen: the first i of n hold (i / n)^k_front
+/// of the hair. Ours, as bench/against_reference.py measures it.
+constexpr double k_front = 1.5;
+
 /// Each texel's nearest depth step and the complement of its farthest, both k_no_depth where it has no fibre.
 std::vector<Word> texel_depths(const MapView& view, const strands::Groom& groom) {
   std::vector<Word> depths(2 * view.texels(), k_no_depth);
@@ -25,19 +29,22 @@ std::vector<Word> texel_depths(const MapView& view, const strands::Groom& groom)
 
 /// Adds a piece at its middle, by its projected length, to the depths behind the nearest fibre there.
 void count_piece(const Footprint<float>& footprint, bool sampled, const MapView& view, std::span<const Word> depths,
-                 std::span<Word> histogram) {
+                 bool by_texel, std::span<Word> histogram) {
   const glm::vec3 middle = piece_middle(footprint);
   if (!(middle.x >= 0 && middle.y >= 0 && middle.x < float(view.columns) && middle.y < float(view.rows))) return;
-  const Word nearest = depths[2 * texel_index(view, int(middle.x), int(middle.y))];
+  const std::size_t texel = 2 * texel_index(view, int(middle.x), int(middle.y));
+  const Word nearest = depths[texel], extent = ~depths[texel + 1] - nearest + 1;
   const Word step = Word(std::max(0, int(std::floor(middle.z)))), weight = piece_weight(footprint.size);
-  if (nearest != k_no_depth && step >= nearest) add_to(histogram[std::min(step - nearest, k_depth_steps - 1)], weight);
+  if (nearest != k_no_depth && step >= nearest)
+    add_to(histogram[table_step(layer_step(step - nearest, extent, by_texel))], weight);
   if (!sampled) return;
   add_to(histogram[k_weights], weight);
   add_to(histogram[k_coverages], weight * middle_coverage(footprint.half_width));
 }
 
 /// Projected length over the depth behind the nearest fibre, and the sums behind them (layers.glslh).
-std::vector<Word> depth_histogram(const strands::Groom& groom, const MapView& view, std::span<const Word> depths) {
+std::vector<Word> depth_histogram(const strands::Groom& groom, const MapView& view, std::span<const Word> depths,
+                                  bool by_texel) {
   std::vector<Word> histogram(k_histogram_words);
   const Word every = one_in(Word(groom.vertex_count() - groom.strand_count()));
   for_each_index(groom.strand_count(), [&](std::size_t s) {
@@ -46,7 +53,7 @@ std::vector<Word> depth_histogram(const strands::Groom& groom, const MapView& vi
       const Word segment = v - Word(s);
       if (!is_counted(segment, every)) continue;
       for_each_piece(view, groom, v, v == first, v + 1 == last, k_pieces_per_step, [&](const auto& footprint) {
-        count_piece(footprint, is_sampled(segment), view, depths, histogram);
+        count_piece(footprint, is_sampled(segment), view, depths, by_texel, histogram);
       });
     }
   });
@@ -82,9 +89,8 @@ LayerEnds layer_ends(std::span<const Word> with_sums, const Settings& settings) 
   LayerEnds ends{};
   ends.count = settings.layers;
   for (Word i = 0; i < settings.layers; ++i)
-    ends.end[i] = settings.spacing == Spacing::equal_opacity
-                      ? quantile(histogram, part_of(total, i + 1, settings.layers))
-                      : shared_end(depth, shares[i]);
+    ends.end[i] = settings.spacing == Spacing::equal_opacity ? quantile(histogram, part_of(total, shares[i], 65536))
+                                                             : shared_end(depth, shares[i]);
   return rising(ends);
 }
 
@@ -99,7 +105,8 @@ std::vector<Layer> layer_table(const LayerEnds& ends) {
 void fill_layers(const strands::Groom& groom, std::span<const Word> depths, Map& map) {
   const std::vector<Layer> layers = layer_table(map.ends);
   for_each_covered_texel(map.view, groom, k_pieces_per_step, [&](std::size_t texel, Word covered, Word step) {
-    const Word layer = layers[table_step(step - depths[2 * texel])].index;
+    const Word nearest = depths[2 * texel], extent = ~depths[2 * texel + 1] - nearest + 1;
+    const Word layer = layers[table_step(layer_step(step - nearest, extent, map.by_texel))].index;
     add_to(map.sums[texel * map.ends.count + layer], map.table[covered]);
   });
 }
@@ -114,7 +121,8 @@ OwnLayers own_layers(const Map& map, std::span<const Layer> layers, Word range, 
   OwnLayers result;
   for (const OwnDeposit& deposit : own) {
     const Word nearest = range_nearest(range), behind = deposit.step - std::min(deposit.step, nearest);
-    for (Word i = layers[table_step(behind)].index; i < map.ends.count; ++i)
+    for (Word i = layers[table_step(layer_step(behind, range_extent(range), map.by_texel))].index; i < map.ends.count;
+         ++i)
       result.before[i] += map.table[deposit.covered];
     result.is_nearest = result.is_nearest || behind == 0;
     result.is_farthest = result.is_farthest || deposit.step >= range_farthest(range);
@@ -122,9 +130,9 @@ OwnLayers own_layers(const Map& map, std::span<const Layer> layers, Word range, 
   return result;
 }
 
-/// The exponent at depth z of a texel as it is stored, without the receiver's own fibre; exponent_before(i, own): at
-/// the end of number i of the map, of which `own` is left out.
-float exponent_at(const Map& map, std::span<const Layer> layers, std::size_t texel, float z,
+/// The exponent at depth z of a texel as it is stored, without the receiver's own fibre; `power`: LookupPlace::power;
+/// exponent_before(i, own): at the end of number i of the map, of which `own` is left out.
+float exponent_at(const Map& map, std::span<const Layer> layers, std::size_t texel, float z, float power,
                   std::span<const OwnDeposit> own, const auto& exponent_before) {
   const Word range = map.ranges[texel];
   const float depth = z - float(range_nearest(range));
@@ -135,11 +143,12 @@ float exponent_at(const Map& map, std::span<const Layer> layers, std::size_t tex
   };
   const float extent = depth_extent<float>(range);
   if (depth >= extent) return before_end(map.ends.count - 1);
-  const Layer& layer = layers[table_step(Word(depth))];
+  const float in_layers = layer_scale(extent, map.by_texel);
+  const Layer& layer = layers[table_step(Word(depth * in_layers))];
   const float before = layer.index == 0 ? 0.0f : before_end(layer.index - 1);
-  return exponent_within(layer, extent, depth, before, before_end(layer.index),
+  return exponent_within(layer, extent * in_layers, depth * in_layers, in_layers, before, before_end(layer.index),
                          mine.is_nearest ? 0.0f : map.fibre_exponent, mine.is_farthest ? 0.0f : map.fibre_exponent,
-                         map.spread_exponent);
+                         map.spread_exponent, power);
 }
 
 /// Looks receivers up by exponent_before of exponent_at.
@@ -147,10 +156,10 @@ Result<std::vector<float>> look_up_by(const Map& map, const Settings& settings, 
                                       const auto& exponent_before) {
   const std::vector<Layer> layers = layer_table(map.ends);
   return look_up_receivers(
-      map.view, settings.map, k_deepest, k_pieces_per_step, asked, [&](std::size_t, float z, float) {
-        return [&, z](std::size_t texel, std::span<const OwnDeposit> own) {
+      map.view, settings.map, k_deepest, k_pieces_per_step, asked, [&](std::size_t, float z, float power) {
+        return [&, z, power](std::size_t texel, std::span<const OwnDeposit> own) {
           const std::size_t stored = map.slots.empty() ? texel : stored_texel(map, texel);
-          return stored == k_no_slot ? 0.0f : exponent_at(map, layers, stored, z, own, exponent_before);
+          return stored == k_no_slot ? 0.0f : exponent_at(map, layers, stored, z, power, own, exponent_before);
         };
       });
 }
@@ -177,8 +186,9 @@ std::vector<Word> layer_shares(const Settings& settings) {
   const double first = given > 0 ? given : settings.layers <= 4 ? 1.0 / 32 : 1.0 / 128;
   std::vector<Word> shares;
   for (Word i = 0; i < settings.layers; ++i) {
-    const double geometric = std::pow(first, (count - 1 - i) / std::max(1.0, count - 1));
-    const double share = settings.spacing == Spacing::geometric ? geometric : (i + 1) / count;
+    const double geometric = std::pow(first, (count - 1 - i) / std::max(1.0, count - 1)), even = (i + 1) / count;
+    const bool is_front = settings.by_texel && settings.spacing == Spacing::equal_opacity;
+    const double share = settings.spacing == Spacing::geometric ? geometric : is_front ? std::pow(even, k_front) : even;
     shares.push_back(Word(std::lround(65536 * share)));
   }
   return shares;
@@ -190,7 +200,8 @@ Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, 
   map.view = map_view(axes, light_box(axes, groom.positions), settings.map.resolution, float(k_depth_steps));
   map.scale = fixed_point_scale(alpha, accumulation, groom.vertex_count() - groom.strand_count());
   const std::vector<Word> depths = texel_depths(map.view, groom);
-  const std::vector<Word> histogram = depth_histogram(groom, map.view, depths);
+  const std::vector<Word> histogram = depth_histogram(groom, map.view, depths, settings.by_texel);
+  map.by_texel = settings.by_texel;
   map.table = deposit_table(alpha, accumulation, map.scale);
   map.ends = layer_ends(histogram, settings);
   map.fibre = fibre_coverage(histogram[k_weights], histogram[k_coverages]);

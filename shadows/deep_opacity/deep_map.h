@@ -23,6 +23,7 @@ struct Settings {
   MapSettings map{.method = "deep_opacity"};
   std::uint32_t layers = 16;
   Spacing spacing = Spacing::equal_opacity;
+  bool by_texel = true;    ///< layers divide the hair of each texel; else all texels have the same
   bool bytes = false;      ///< T before each layer's end in 8 bits; else sigma in 32
   bool sparse = false;     ///< only tiles of 4 x 4 texels that hold hair are stored
   double tile_share = 1;   ///< of all tiles of the resolution: room for those that are stored
@@ -31,7 +32,7 @@ struct Settings {
 };
 void describe(registry::Members& members, Settings& settings);
 
-/// Ends of the layers as shares of the depth, 0 .. 65536; not used by equal_opacity.
+/// Ends of the layers as shares of the depth, of equal_opacity of the hair, 0 .. 65536.
 std::vector<std::uint32_t> layer_shares(const Settings& settings);
 
 /// A filled map: sigma before the end of layer i of texel t is sums[t * layers + i] / scale. Of a sparse one only the
@@ -40,6 +41,7 @@ struct Map {
   MapView view;
   double scale = 1;
   LayerEnds ends{};
+  bool by_texel = true;       ///< as in Settings
   std::uint32_t fibre = 0;    ///< mean coverage of a texel's middle by one fibre: an index of the deposits
   float fibre_exponent = 0;   ///< what that adds to the exponent of T
   float spread_exponent = 0;  ///< of one that lies somewhere in a layer; 0: even hair, where sums are proportional

@@ -6,12 +6,14 @@ namespace cuticle::shadows::deep_opacity {
 namespace {
 
 constexpr std::string_view k_spacings[] = {"equal_opacity", "geometric", "equal"};
+constexpr std::string_view k_ranges[] = {"map", "texel"};
 constexpr std::string_view k_storages[] = {"words", "bytes"};
 constexpr std::string_view k_tiles[] = {"all", "sparse"};
 constexpr std::string_view k_systems[] = {"G3"};
 constexpr registry::StudyCase k_cases[] = {{"1 layer", "layers=1"},
                                            {"4 layers", "layers=4"},
                                            {"8 layers", "layers=8"},
+                                           {"8 layers of one range", "layers=8,layer_range=map"},
                                            {"sparse tiles", "layers=7,tiles=sparse,storage=bytes,tile_share=0.9"}};
 
 /// Fit, range, histogram, layers, splat, scan, lookup; before it three for sparse tiles, and packing. The clearing is a
@@ -33,8 +35,13 @@ void describe(registry::Members& members, Settings& settings) {
   members(settings.layers, "layers", 1, k_max_layers, "layers behind the nearest fibre of a texel");
   describe(members, settings.map);
   members(settings.spacing, "spacing", k_spacings,
-          "equal_opacity: layers of equal projected length of hair; geometric: growing by one ratio; equal: equally "
-          "deep");
+          "equal_opacity: by projected length of hair, the same for each layer (layer_range=texel: less for those "
+          "nearer to the "
+          "light); geometric: growing by one ratio; equal: equally deep");
+  members(
+      settings.by_texel, "layer_range", k_ranges,
+      "texel: layers divide the hair of each texel, from its nearest fibre to its farthest; map: they are equally deep "
+      "in all texels, as published");
   members(settings.first_layer, "first_layer", "1", 0, 1,
           "geometric: the first layer's share of the depth; 0: 1/32 up to 4 layers, 1/128 beyond");
   members(settings.bytes, "storage", k_storages, "words: 32 bits a layer; bytes: 8, and 32 for the depths");

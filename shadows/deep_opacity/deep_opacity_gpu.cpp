@@ -24,7 +24,6 @@
 namespace cuticle::shadows::deep_opacity {
 namespace {
 
-constexpr std::uint32_t k_equal_opacity_flag = 2;  // k_equal_opacity of deep_layers.comp
 enum Own : int {
   k_sums = k_own,
   k_ranges,
@@ -108,7 +107,8 @@ MapDescription description(const Settings& settings) {
   map.settings = settings.map;
   map.intervals = float(k_depth_steps);
   map.layers = settings.layers;
-  map.flags = settings.spacing == Spacing::equal_opacity ? k_equal_opacity_flag : 0;
+  map.flags = (settings.spacing == Spacing::equal_opacity ? k_equal_opacity_flag : 0) |
+              (settings.by_texel ? k_by_texel_flag : 0);
   map.pieces_per_step = k_pieces_per_step;
   map.after_deposits = after_deposits(settings);
   map.buffers = buffers_of(settings);
