@@ -109,7 +109,8 @@ Result<std::vector<Sheet>> deep_opacity_sheets(const ShadowView& view, int most_
     sheets.push_back(make_sheet(map.view, step, [&](std::size_t texel) {
       const std::uint32_t range = map.ranges[texel];
       if (range == deep::k_no_range) return AtTexel{};
-      const float end = std::min(float(map.ends.end[layer]), deep::depth_extent<float>(range));
+      const float extent = deep::depth_extent<float>(range);
+      const float end = std::min(float(map.ends.end[layer]) / deep::layer_scale(extent, map.by_texel), extent);
       const double sigma = double(map.sums[texel * settings.layers + layer]) / map.scale;
       return AtTexel{float(deep::range_nearest(range)) + end, float(settings.map.accumulation.k * sigma), 1};
     }));

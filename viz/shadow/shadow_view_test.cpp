@@ -44,6 +44,16 @@ TEST(DeepOpacitySheets, Depth_RisesFromLayerToLayer) {
       EXPECT_TRUE(!sheets[0].is_hair[i] || sheets[k].depths[i] >= sheets[k - 1].depths[i]);
 }
 
+TEST(DeepOpacitySheets, Layers_DivideTheHairOfEachTexel) {
+  const auto sheets = deep_opacity_sheets(mat(), 64).value();
+  for (std::size_t i = 0; i < sheets[0].positions.size(); ++i) {
+    if (!sheets[0].is_hair[i]) continue;
+    const float first = sheets.front().positions[i].y, last = sheets.back().positions[i].y;
+    for (std::size_t k = 1; k < sheets.size(); ++k)
+      ASSERT_NEAR(sheets[k].positions[i].y, first + float(k) / 7 * (last - first), 1e-5F) << i << " " << k;
+  }
+}
+
 TEST(TransmittanceVolume, Hair_DarkensAwayFromTheLight) {
   const TransmittanceVolume volume = transmittance_volume(mat(), 16).value();
   const auto at = [&](int y) {
