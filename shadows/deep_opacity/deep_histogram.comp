@@ -14,7 +14,7 @@ void piece(Footprint footprint) {
   const vec3 middle = piece_middle(footprint);
   if (!(middle.x >= 0.0 && middle.y >= 0.0 && middle.x < float(columns) && middle.y < float(rows))) return;
   const int texel = int(2u * (uint(middle.y) * columns + uint(middle.x)));
-  const uint nearest = texelFetch(depths, texel).r, extent = ~texelFetch(depths, texel + 1).r - nearest + 1u;
+  const uint nearest = texelFetch(depths, texel).r, extent = found_extent(nearest, texelFetch(depths, texel + 1).r);
   const uint at = uint(max(0, int(floor(middle.z)))), weight = piece_weight(footprint.size);
   if (nearest != k_no_depth && at >= nearest)
     atomicAdd(histogram[table_step(layer_step(at - nearest, extent, (push.flags & k_by_texel_flag) != 0u))], weight);

@@ -33,7 +33,7 @@ void count_piece(const Footprint<float>& footprint, bool sampled, const MapView&
   const glm::vec3 middle = piece_middle(footprint);
   if (!(middle.x >= 0 && middle.y >= 0 && middle.x < float(view.columns) && middle.y < float(view.rows))) return;
   const std::size_t texel = 2 * texel_index(view, int(middle.x), int(middle.y));
-  const Word nearest = depths[texel], extent = ~depths[texel + 1] - nearest + 1;
+  const Word nearest = depths[texel], extent = found_extent(nearest, depths[texel + 1]);
   const Word step = Word(std::max(0, int(std::floor(middle.z)))), weight = piece_weight(footprint.size);
   if (nearest != k_no_depth && step >= nearest)
     add_to(histogram[table_step(layer_step(step - nearest, extent, by_texel))], weight);
@@ -105,7 +105,7 @@ std::vector<Layer> layer_table(const LayerEnds& ends) {
 void fill_layers(const strands::Groom& groom, std::span<const Word> depths, Map& map) {
   const std::vector<Layer> layers = layer_table(map.ends);
   for_each_covered_texel(map.view, groom, k_pieces_per_step, [&](std::size_t texel, Word covered, Word step) {
-    const Word nearest = depths[2 * texel], extent = ~depths[2 * texel + 1] - nearest + 1;
+    const Word nearest = depths[2 * texel], extent = found_extent(nearest, depths[2 * texel + 1]);
     const Word layer = layers[table_step(layer_step(step - nearest, extent, map.by_texel))].index;
     add_to(map.sums[texel * map.ends.count + layer], map.table[covered]);
   });

@@ -36,8 +36,7 @@ void describe(registry::Members& members, Settings& settings) {
   describe(members, settings.map);
   members(settings.spacing, "spacing", k_spacings,
           "equal_opacity: by projected length of hair, the same for each layer (layer_range=texel: less for those "
-          "nearer to the "
-          "light); geometric: growing by one ratio; equal: equally deep");
+          "nearer to the light); geometric: growing by one ratio; equal: equally deep");
   members(
       settings.by_texel, "layer_range", k_ranges,
       "texel: layers divide the hair of each texel, from its nearest fibre to its farthest; map: they are equally deep "

@@ -13,7 +13,7 @@ layout(std430, binding = 6) buffer Sums { uint sums[]; };
 void deposit(uint texel, uint covered, uint depth_step) {
   if (!is_kept(texel)) return;
   const uint nearest = texelFetch(depths, int(2u * texel)).r;
-  const uint extent = ~texelFetch(depths, int(2u * texel) + 1).r - nearest + 1u;
+  const uint extent = found_extent(nearest, texelFetch(depths, int(2u * texel) + 1).r);
   const uint behind = table_step(layer_step(depth_step - nearest, extent, (push.flags & k_by_texel_flag) != 0u));
   const uint layer = unpacked_layer(texelFetch(layers, int(k_layer_table + behind)).r).index;
   atomicAdd(sums[kept_place(texel) * push.layers + layer], texelFetch(table, int(covered)).r);

@@ -85,7 +85,7 @@ Result<Comparison> compare_shadows(const scene::Scene& scene, const strands::Gro
   request.alpha = (alpha.x + alpha.y + alpha.z) / 3;
   if (!scene.lights.empty()) request.to_light = scene.lights.front().to_light;
   request.to_camera = to_camera_of(scene);
-  request.receivers = 400000;  // each is lit or not: means over cells are off by .01 then, by .05 with 6,000
+  request.receivers = 400000;  // each is lit or not: of 6,000 the finest map's cells were off by .05, of these by .02
   request.rays = 32;
   request.candidates = std::move(candidates);
   return compare_with_truth(request, progress);
