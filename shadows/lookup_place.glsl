@@ -19,10 +19,11 @@ LookupPlace lookup_place(vec3 on_axis, vec3 along, float radius) {
   const float cosine = cosine_seen_from(eye - on_axis, way);
   if (has_viewer) place.power = seen_power(cosine);
   if (!is_on_strand) return place;
-  place.held = half_crossing(along, way, radius * push.caster_width);
+  const float cast_radius = radius * push.caster_width;
+  place.held = half_crossing(along, way, cast_radius);
   if (!place.is_seen) return place;
   place.clearance = seen_clearance(cosine);
-  place.held *= place.clearance;
+  place.held *= fibre_clearance(along, eye - on_axis, way, cast_radius);
   place.point += to_seen_surface(on_axis, along, eye, radius);
   return place;
 }
@@ -31,7 +32,9 @@ LookupPlace lookup_place(vec3 on_axis, vec3 along, float radius) {
 /// blur_depth() where a viewer sees it; not with a filter in metres, whose mean over the disc is what is asked for.
 float free_depth(MapPlacement placement, LookupPlace place, vec3 seen) {
   const float texels_per_metre = placement.scale.x * view_scale(seen, push.reach);
-  return place.held + (place.is_seen && !(push.filter_radius > 0.0) ? place.clearance * blur_depth(push.filter_texels, texels_per_metre) : 0.0);
+  const bool is_blurred = place.is_seen && !(push.filter_radius > 0.0);
+  const float share = (push.flags & k_intervals) != 0u ? k_interval_blur : 1.0;
+  return place.held + (is_blurred ? share * place.clearance * blur_depth(push.filter_texels, texels_per_metre) : 0.0);
 }
 /// Depth in the map up to which fibres count, in steps; `z` in the map of a place that the light sees at `seen`.
 float depth_looked_up(MapPlacement placement, LookupPlace place, vec3 seen, float z) {

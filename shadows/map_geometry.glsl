@@ -23,6 +23,7 @@ layout(push_constant) uniform Push {
 /// Parts of a segment that casts: there are vertices between its ends, on one line.
 uint segment_parts() { return (push.flags >> 16 & 0x3fu) + 1u; }
 const uint k_poisson = 1u;
+const uint k_intervals = 0x10000000u;    // the map does not know depths, but how much hair an interval of depth holds
 const uint k_byte_target = 0x20000000u;  // a number in a drawn target is one of 255 whole steps
 const uint k_seen = 0x40000000u;         // points lie on the surface that the viewer sees, not on axes
 const uint k_square = 0x80000000u;  // the map is one, whatever the shape of the hair

@@ -31,8 +31,8 @@ struct MapPush {
 };
 /// Of `flags`: the parts of a segment, less 1, begin at this bit.
 inline constexpr std::uint32_t k_parts_shift = 16;
-inline constexpr std::uint32_t k_poisson_flag = 1, k_byte_target_flag = 1u << 29, k_seen_flag = 1u << 30,
-                               k_square_flag = 1u << 31;
+inline constexpr std::uint32_t k_poisson_flag = 1, k_intervals_flag = 1u << 28, k_byte_target_flag = 1u << 29,
+                               k_seen_flag = 1u << 30, k_square_flag = 1u << 31;
 
 /// A kernel that several methods use: sums of each texel's layers along the depth, buffer sums, per texel.
 std::span<const std::uint32_t> map_scan_code();

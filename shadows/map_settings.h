@@ -19,6 +19,7 @@ struct MapSettings {
   double filter_texels = 1;  ///< radius of the lookup's disc; under 0.5: the one texel that holds the point
   double filter_radius = 0;  ///< the same in metres, at least half a texel; used instead where it is not 0
   double depth_offset = 0;   ///< metres
+  bool knows_depths = true;  ///< of hair; else how much of it an interval of depth holds
   std::uint32_t room_mib = 512;
   std::uint64_t list_room() const {
     return std::uint64_t(room_mib) << 20;

@@ -135,7 +135,8 @@ Result<void> MapShadowGpu::make_kernels() {
 std::uint32_t MapShadowGpu::flags_of(const MapSettings& settings, const GpuStrands& strands) const {
   return (settings.accumulation.poisson ? k_poisson_flag : 0) | (targets_.empty() ? 0 : k_square_flag) |
          (description_.drawing.format == gpu::TextureFormat::rgba8 ? k_byte_target_flag : 0) |
-         (strands.seen_from ? k_seen_flag : 0) | (strands.segment_parts - 1) << k_parts_shift;
+         (settings.knows_depths ? 0 : k_intervals_flag) | (strands.seen_from ? k_seen_flag : 0) |
+         (strands.segment_parts - 1) << k_parts_shift;
 }
 
 MapPush MapShadowGpu::push_for(const LightAxes& axes, const GpuStrands& strands) const {

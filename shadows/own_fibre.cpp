@@ -51,7 +51,8 @@ LookupPlace lookup_place(const Asked& asked, const glm::vec3& on_axis, const std
   LookupPlace place{on_axis};
   const glm::vec3 way = light_way(axes, on_axis);
   const std::optional<glm::dvec3>& viewer = asked.receivers.seen_from;
-  const float cosine = viewer ? cosine_seen_from(glm::vec3(*viewer) - on_axis, way) : 0.0f;
+  const glm::vec3 view = viewer ? glm::vec3(*viewer) - on_axis : glm::vec3(0);
+  const float cosine = viewer ? cosine_seen_from(view, way) : 0.0f;
   if (viewer) place.power = seen_power(cosine);
   if (!own) return place;
   const glm::vec3 along = own_along(asked.groom, *own);
@@ -61,7 +62,7 @@ LookupPlace lookup_place(const Asked& asked, const glm::vec3& on_axis, const std
   place.is_seen = viewer.has_value();
   if (!place.is_seen) return place;
   place.clearance = seen_clearance(cosine);
-  place.held *= place.clearance;
+  place.held *= fibre_clearance(along, view, way, radius);
   place.point += to_seen_surface(on_axis, along, glm::vec3(*viewer), radius);
   return place;
 }

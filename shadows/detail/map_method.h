@@ -24,7 +24,8 @@ inline float exponent_per_unit(const MapSettings& settings, double scale) {
 /// How lookups in the map average. Error: usage, for a filter too wide for it.
 inline Result<MapFilter> map_filter(const MapView& view, const MapSettings& settings) {
   CUTICLE_ASSIGN(const float radius, filter_in_texels(settings, double(view.scale.x)));
-  return MapFilter{radius, float(settings.filter_radius), float(settings.depth_offset), settings.accumulation.poisson};
+  return MapFilter{radius, float(settings.filter_radius), float(settings.depth_offset), settings.accumulation.poisson,
+                   settings.knows_depths};
 }
 
 /// Transmittance at the receivers. at_depth(i, z, power) gives, for receiver i with its LookupPlace::power, a function

@@ -110,10 +110,11 @@ void for_each_covered_texel(const MapView& view, const strands::Groom& groom, fl
 
 /// How a lookup averages.
 struct MapFilter {
-  float radius = 1;        ///< texels; under 0.5: the one texel that holds the point
-  float metres = 0;        ///< the same where it is not 0: in a point light's view as many texels as it is wide there
-  float depth_offset = 0;  ///< metres behind the point that fibres still count
-  bool poisson = false;    ///< average the optical depth; else T
+  float radius = 1;          ///< texels; under 0.5: the one texel that holds the point
+  float metres = 0;          ///< the same where it is not 0: in a point light's view as many texels as it is wide there
+  float depth_offset = 0;    ///< metres behind the point that fibres still count
+  bool poisson = false;      ///< average the optical depth; else T
+  bool knows_depths = true;  ///< MapSettings::knows_depths
 };
 /// The mean over the filter's disc around map point (x, y) of T = exp(exponent(texel, own)), texels outside the map
 /// counting as free; `exponent` takes the index of a texel, and what the receiver's own fibre has left in it.
@@ -158,8 +159,9 @@ inline MapFilter filter_there(const MapView& view, MapFilter filter, const glm::
 /// blur_depth() where a viewer sees it; not with a filter in metres, whose mean over the disc is what is asked for.
 inline float free_depth(const MapView& view, const MapFilter& filter, const LookupPlace& place, const glm::vec3& seen) {
   const float texels_per_metre = view.scale.x * view_scale(seen, view.axes.reach);
-  return place.held +
-         (place.is_seen && !(filter.metres > 0) ? place.clearance * blur_depth(filter.radius, texels_per_metre) : 0);
+  const bool is_blurred = place.is_seen && !(filter.metres > 0);
+  const float share = filter.knows_depths ? 1 : k_interval_blur;
+  return place.held + (is_blurred ? share * place.clearance * blur_depth(filter.radius, texels_per_metre) : 0);
 }
 
 /// The transmittance at a place in the world: 1 far outside the map. find_own(seen, point, radius) is called before,

@@ -10,7 +10,7 @@ namespace cuticle::shadows::fourier {
 
 /// The method's parameters, in SI units.
 struct Settings {
-  MapSettings map{.method = "fourier"};
+  MapSettings map{.method = "fourier", .knows_depths = false};
   std::uint32_t harmonics = 15;
   double smoothing = 0;
   std::uint32_t functions() const { return 2 * harmonics + 1; }

@@ -15,7 +15,7 @@ double default_bias(Basis basis);
 
 /// The method's parameters, in SI units.
 struct Settings {
-  MapSettings map{.method = "moments"};
+  MapSettings map{.method = "moments", .knows_depths = false};
   Basis basis = Basis::power_4;
   double given_bias = 0;        ///< 0: default_bias
   double overestimation = 0.5;  ///< share of the hair at the very depth asked for that counts as before it

@@ -24,7 +24,7 @@ inline constexpr std::uint32_t k_target_planes = 16;
 
 /// The method's parameters, in SI units.
 struct Settings {
-  MapSettings map{.method = "opacity_map"};
+  MapSettings map{.method = "opacity_map", .knows_depths = false};
   std::uint32_t slices = 16;     ///< planes, the first of which holds nothing and is not stored
   bool printed_spacing = false;  ///< slices range / n apart, as printed in the source; else range / (n - 1)
   Form form = Form::compute;

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/random.h"
 #include "study/shadows/slices_study.h"
 
 namespace cuticle::study::seen_opaque_fibres_test {
@@ -20,6 +21,21 @@ ComparisonRequest seen_opaque_fibres(const strands::Groom& groom) {
   request.to_camera = glm::dvec3(1, 0.3, 1);
   request.receivers = 4000;
   return request;
+}
+
+/// Upright fibres, 30 cm long, side by side at random in a block of 3 x 3 cm.
+strands::Groom upright_bundle(int fibres) {
+  constexpr int k_vertices = 16;
+  RandomStream random(1);
+  strands::Groom groom;
+  for (int s = 0; s < fibres; ++s) {
+    const double x = random.next_unit(), z = random.next_unit();
+    const glm::vec3 root(0.03 * x, 0, 0.03 * z);
+    for (int v = 0; v < k_vertices; ++v) groom.positions.push_back(root + glm::vec3(0, 0.02f * float(v), 0));
+    groom.offsets.push_back(std::uint32_t(groom.positions.size()));
+  }
+  groom.radii.assign(groom.positions.size(), 1.5e-4f);
+  return groom;
 }
 
 /// A setting with a filter of one texel in maps of 64^2 to 2048^2 texels.
@@ -123,6 +139,29 @@ TEST(CompareWithTruth, DenseHairLitFromNearTheViewer_KeepsItsLight) {
     const double more = row.light_left - comparison->light_left;
     std::printf("%s: light %+.4f of %.4f\n", row.method.c_str(), more, comparison->light_left);
     EXPECT_NEAR(more, 0, 0.02) << row.method;
+  }
+}
+
+// Fibres that run alike: with the light in a plane along them and to the viewer, what hides one hides the other. Beside
+// that plane some of what is seen lies in shadow.
+TEST(CompareWithTruth, ParallelFibresLitInThePlaneOfTheViewer_AreLitWhereTheyAreSeen) {
+  const strands::Groom groom = upright_bundle(1500);
+  for (const double beside : {0.0, 1.0}) {
+    ComparisonRequest request = seen_opaque_fibres(groom);
+    request.to_camera = glm::dvec3(0, 0.2, 1);
+    request.to_light = glm::dvec3(beside, 0.8, 1);
+    for (const std::string name : {"shadow_map", "deep_opacity"}) {
+      const shadows::Method* method = shadows::find_method(name).value();
+      request.candidates.push_back(
+          {method, registry::parse_assignments(method->entry.parameters, "resolution=512,filter_texels=1").value()});
+    }
+    const auto comparison = compare_with_truth(request, silent_progress());
+    ASSERT_TRUE(comparison) << comparison.error().message;
+    for (const ComparisonRow& row : comparison->rows) {
+      const double more = row.light_left - comparison->light_left;
+      std::printf("beside %.0f, %s: light %+.4f of %.4f\n", beside, row.method.c_str(), more, comparison->light_left);
+      EXPECT_NEAR(more, 0, 0.03) << row.method << ", beside " << beside;
+    }
   }
 }
 
