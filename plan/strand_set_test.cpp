@@ -72,6 +72,13 @@ TEST(StrandSet, LongSegments_AreGivenPartsForLightAndNoted) {
   }
 }
 
+TEST(StrandSet, PartsOfSegments_AreFourMillimetresLong) {
+  scene::Scene scene = of_file(0);
+  scene.render_method = "tiles";
+  scene.groom.metres_per_unit = 0.32;  // segments of 16 mm
+  EXPECT_EQ(build_strand_set(scene)->segment_parts, 4u);
+}
+
 TEST(StrandSet, SegmentsOfTracedStrands_HaveNoParts) {
   for (const int parts : {0, 4}) EXPECT_EQ(with_long_segments("reference", parts).segment_parts, 1u);
 }

@@ -94,7 +94,7 @@ Spec groom() {
        follow_hairs(),
        integer("segment_parts", 0, 64,
                "parts of each segment, where strands are drawn as given, between which light is interpolated: long "
-               "segments show it; 0: segments above 10 mm in the mean have parts of 2 mm, at most 8, unless drawn as 'lines'"),
+               "segments show it; 0: segments above 10 mm in the mean have parts of 4 mm, at most 8, unless drawn as 'lines'"),
        real("thickness_spread", 0, 1,
             "share by which chance makes strands thicker and thinner that are drawn as given"),
        real("taper", 0, 1,
