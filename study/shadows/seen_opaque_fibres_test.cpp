@@ -38,13 +38,15 @@ strands::Groom upright_bundle(int fibres) {
   return groom;
 }
 
+void add(ComparisonRequest& request, const std::string& name, const std::string& settings) {
+  const shadows::Method* method = shadows::find_method(name).value();
+  request.candidates.push_back({method, registry::parse_assignments(method->entry.parameters, settings).value()});
+}
+
 /// A setting with a filter of one texel in maps of 64^2 to 2048^2 texels.
 void add_sizes(ComparisonRequest& request, const std::string& name, const std::string& settings) {
-  const shadows::Method* method = shadows::find_method(name).value();
   for (const std::string size : {"64", "256", "1024", "2048"})
-    request.candidates.push_back(
-        {method, registry::parse_assignments(method->entry.parameters, settings + ",filter_texels=1,resolution=" + size)
-                     .value()});
+    add(request, name, settings + ",filter_texels=1,resolution=" + size);
 }
 
 /// The errors of four sizes, which do not rise beyond their interval.
@@ -105,11 +107,7 @@ TEST(CompareWithTruth, OpaqueFibresThatACameraSees_KeepTheLightFromAnySide) {
   for (const glm::dvec3 side : {glm::dvec3(0.1, 1, 0.2), glm::dvec3(1, 0.3, 1), glm::dvec3(0.5, -0.9, 0.2)}) {
     ComparisonRequest request = seen_opaque_fibres(groom);
     request.to_camera = glm::normalize(side);
-    for (const std::string name : {"opacity_map", "moments", "fourier"}) {
-      const shadows::Method* method = shadows::find_method(name).value();
-      request.candidates.push_back(
-          {method, registry::parse_assignments(method->entry.parameters, "resolution=512").value()});
-    }
+    for (const std::string name : {"opacity_map", "moments", "fourier"}) add(request, name, "resolution=512");
     const auto comparison = compare_with_truth(request, silent_progress());
     ASSERT_TRUE(comparison) << comparison.error().message;
     for (const ComparisonRow& row : comparison->rows) {
@@ -128,11 +126,7 @@ TEST(CompareWithTruth, DenseHairLitFromNearTheViewer_KeepsItsLight) {
   request.to_camera = glm::normalize(glm::dvec3(1, 0.3, 1));
   request.to_light = glm::normalize(glm::dvec3(0.8, 0.6, 1));
   request.receivers = 10000;
-  for (const std::string name : {"shadow_map", "deep_shadow", "exact_list"}) {
-    const shadows::Method* method = shadows::find_method(name).value();
-    request.candidates.push_back(
-        {method, registry::parse_assignments(method->entry.parameters, "resolution=512").value()});
-  }
+  for (const std::string name : {"shadow_map", "deep_shadow", "exact_list"}) add(request, name, "resolution=512");
   const auto comparison = compare_with_truth(request, silent_progress());
   ASSERT_TRUE(comparison) << comparison.error().message;
   for (const ComparisonRow& row : comparison->rows) {
@@ -150,11 +144,7 @@ TEST(CompareWithTruth, ParallelFibresLitInThePlaneOfTheViewer_AreLitWhereTheyAre
     ComparisonRequest request = seen_opaque_fibres(groom);
     request.to_camera = glm::dvec3(0, 0.2, 1);
     request.to_light = glm::dvec3(beside, 0.8, 1);
-    for (const std::string name : {"shadow_map", "deep_opacity"}) {
-      const shadows::Method* method = shadows::find_method(name).value();
-      request.candidates.push_back(
-          {method, registry::parse_assignments(method->entry.parameters, "resolution=512,filter_texels=1").value()});
-    }
+    for (const std::string name : {"shadow_map", "deep_opacity"}) add(request, name, "resolution=512,filter_texels=1");
     const auto comparison = compare_with_truth(request, silent_progress());
     ASSERT_TRUE(comparison) << comparison.error().message;
     for (const ComparisonRow& row : comparison->rows) {
@@ -170,9 +160,7 @@ TEST(CompareWithTruth, DenseHairThatACameraSees_KeepsTheLightOfItsFront) {
   const strands::Groom groom = study_coat(40000);
   ComparisonRequest request = seen_opaque_fibres(groom);
   request.receivers = 500;
-  const shadows::Method* method = shadows::find_method("opacity_map").value();
-  request.candidates.push_back(
-      {method, registry::parse_assignments(method->entry.parameters, "slices=8,resolution=512").value()});
+  add(request, "opacity_map", "slices=8,resolution=512");
   const auto comparison = compare_with_truth(request, silent_progress());
   ASSERT_TRUE(comparison) << comparison.error().message;
   std::printf("light %.4f, truth %.4f\n", comparison->rows[0].light_left, comparison->light_left);
