@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "lut/caustic.glslh"
 #include "lut/evaluate.h"
+#include "lut/half_vector.glslh"
 
 namespace cuticle::lut {
 namespace {
@@ -48,6 +50,16 @@ constexpr AxisInfo k_quantities[] = {
     {AxisQuantity::abs_theta_o, "abs_theta_o",
      "abs(theta_o), theta_o = asin(dot(eye direction, fibre tangent)), radians", &bsdf::Point::theta_d, itself, itself,
      0, k_pi / 2},
+    {AxisQuantity::theta_between, "theta_between", "acos(dot(light direction, eye direction)) / 2, radians", nullptr,
+     itself, itself, 0, k_pi / 2},
+    {AxisQuantity::theta_half, "theta_half",
+     "asin(dot(half vector, fibre tangent)), half vector = normalize(light direction + eye direction), radians",
+     nullptr, itself, itself, -k_pi / 2, k_pi / 2},
+    {AxisQuantity::phi_half, "phi_half",
+     "acos(cosine between the half vector and the eye direction, both projected on the normal plane), radians", nullptr,
+     itself, itself, 0, k_pi},
+    {AxisQuantity::cos_normal, "cos_normal", "cos theta_i * cos phi, with the signs of both", nullptr, itself, itself,
+     -1, 1},
     {AxisQuantity::none, "none", "nothing: the table has one row", nullptr, itself, itself, 0, 1},
 };
 
@@ -122,12 +134,29 @@ double left_out_factor(const TableLayout& table, const bsdf::Point& point, doubl
   return is_from_caustic(table) ? place_beside(point, 2, caustic_index).peak : 1;
 }
 
+namespace {
+
+/// What a shader computes of both directions for an axis that is no angle of a point.
+std::optional<double> value_of_both(AxisQuantity quantity, const bsdf::Point& at) {
+  const double cos_i = std::cos(at.theta_i), cos_phi = std::cos(at.phi);
+  if (quantity == AxisQuantity::cos_normal) return cos_i * cos_phi;
+  const auto half = half_angles<double>({std::sin(at.theta_i), cos_i}, {std::sin(at.theta_o), std::cos(at.theta_o)},
+                                        cos_phi, std::abs(std::sin(at.phi)));
+  if (quantity == AxisQuantity::theta_between) return half.between;
+  if (quantity == AxisQuantity::theta_half) return half.inclination;
+  if (quantity == AxisQuantity::phi_half) return half.azimuth;
+  return {};
+}
+
+}  // namespace
+
 double axis_coordinate(const Axis& axis, int size, const bsdf::Point& point, double caustic_index) {
   const AxisInfo& info = axis_info(axis.quantity);
   const AxisMap map = axis_map(axis, size);
   if (axis.quantity == AxisQuantity::from_caustic)
     return place_beside(point, size, caustic_index).value * map.scale + map.bias;
   if (axis.quantity == AxisQuantity::abs_theta_o) return std::abs(point.theta_o) * map.scale + map.bias;
+  if (const auto value = value_of_both(axis.quantity, point)) return *value * map.scale + map.bias;
   return info.angle ? info.from_angle(point.*info.angle) * map.scale + map.bias : map.bias;
 }
 

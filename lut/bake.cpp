@@ -201,6 +201,14 @@ Result<void> check_caustic(const Source& source, const Layout& layout) {
                      "--layout nalu_theta");
 }
 
+/// A layout may hold the terms of one model alone.
+Result<void> check_model(const bsdf::Model& model, const Layout& layout) {
+  if (layout.model.empty() || layout.model == model.entry.name) return {};
+  return usage_error(fmt::format("layout '{}' holds the terms of the model {} alone, not those of {}",
+                                 layout.entry.name, layout.model, model.entry.name),
+                     "--layout auto");
+}
+
 /// The model must have every lobe that the layout's channels hold.
 Result<void> check_lobes(const bsdf::Model& model, const Layout& layout) {
   for (const TableLayout& table : layout.tables)
@@ -215,9 +223,32 @@ Result<void> check_lobes(const bsdf::Model& model, const Layout& layout) {
 }  // namespace
 
 Result<void> check_bakeable(const Source& source, const registry::ParameterValues& values, const Layout& layout) {
+  CUTICLE_TRY(check_model(*source.model, layout));
   CUTICLE_TRY(check_far_field(*source.model, values, layout));
   CUTICLE_TRY(check_lobes(*source.model, layout));
   return check_caustic(source, layout);
+}
+
+std::size_t points_to_bake(const Layout& layout, int size) {
+  std::size_t points = std::size_t(layout.points_of_mean) * std::size_t(size) * std::size_t(size) * std::size_t(size);
+  for (const TableLayout& table : layout.tables) {
+    const glm::ivec2 texels = table_size(table, size);
+    for (const Channel& channel : table.channels)
+      if (channel.source == ChannelSource::model && channel.component == 0)
+        points += std::size_t(texels.x) * std::size_t(texels.y);
+  }
+  return points;
+}
+
+Result<double> seconds_to_bake(const Source& source, const Layout& layout, int size) {
+  constexpr std::size_t k_few = 32;
+  std::vector<bsdf::Point> points(k_few);
+  for (std::size_t i = 0; i < k_few; ++i) points[i] = {.theta_i = 0.5, .theta_o = 0.3, .phi = 0.1 * double(i)};
+  std::vector<glm::dvec3> values(k_few);
+  const auto start = std::chrono::steady_clock::now();
+  CUTICLE_TRY(source.evaluate({bsdf::Quantity::S, -1, points}, values));
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+  return spent.count() / k_few * double(points_to_bake(layout, size));
 }
 
 Result<TableSet> bake_from(const Source& source, const registry::ParameterValues& values, const Layout& layout,

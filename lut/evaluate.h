@@ -69,6 +69,10 @@ Result<void> check_size(int size);
 /// Error: usage where the layout does not suit the model: a near field, a lobe that it lacks, a caustic that it has
 /// not.
 Result<void> check_bakeable(const Source& source, const registry::ParameterValues& values, const Layout& layout);
+/// How many points of the model a bake evaluates at that size.
+std::size_t points_to_bake(const Layout& layout, int size);
+/// What a bake takes on this machine, by the time of a few points. Errors: as the source.
+Result<double> seconds_to_bake(const Source& source, const Layout& layout, int size);
 /// A table of one size before it is baked: all 0, scales of 1.
 Table empty_table(const TableLayout& layout, int size);
 /// Suits channels of Texel::for_filter, which hold points, to the filter.

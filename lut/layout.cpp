@@ -44,6 +44,8 @@ constexpr double k_max_error = 0.01;
 Result<const Layout*> find_layout(std::string_view name, const bsdf::Model& model,
                                   const registry::ParameterValues& values) {
   if (name != k_best_layout) return find_layout(name);
+  for (const Layout* layout : layouts())
+    if (layout->model == model.entry.name) return layout;
   const Source source = cpu_source(model, values);
   CUTICLE_ASSIGN(const Layout* best, find_layout(k_any_model));
   double least = k_max_error;

@@ -54,6 +54,8 @@ TEST(Layout, Best_IsNamedByWhatTheModelHas) {
   EXPECT_EQ(name({"deon", "attenuation_angle=theta_o"}), "chiang");
   EXPECT_EQ(name({"chiang", "field=far"}), "chiang");
   EXPECT_EQ(name({"kajiya_kay", ""}), "factored");
+  EXPECT_EQ(name({"karis", ""}), "karis");
+  EXPECT_EQ(name({"scheuermann", ""}), "half_vector");
 }
 
 }  // namespace

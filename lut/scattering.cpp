@@ -74,10 +74,11 @@ Result<std::vector<glm::dvec3>> assumed_scattering(const Source& source, const T
   return result;
 }
 
-/// Solved tables hold means over a texel's azimuths, so that peaks of no width have a number: S is averaged likewise.
+/// Factors hold means over a texel's azimuths, so that peaks of no width have a number: S is averaged likewise.
 class TexelMeans {
  public:
-  explicit TexelMeans(const TableSet& set) : width_(set.layout->solve ? std::numbers::pi / (set.size - 1) : 0) {}
+  explicit TexelMeans(const TableSet& set)
+      : width_(set.layout->points_of_mean > 0 ? std::numbers::pi / (set.size - 1) : 0) {}
   /// S of the model: by adaptive quadrature, or at the direction itself.
   Result<std::vector<glm::dvec3>> of_model(const Source& source, std::span<const bsdf::Point> points) const {
     if (width_ == 0) {

@@ -19,7 +19,9 @@ namespace cuticle::lut {
 
 /// What an axis of a table carries; `none`: the table has one row. `from_caustic` (u only, over theta_d): the table
 /// holds N over a factor that is known (lut/caustic.glslh). `abs_theta_o`: N of models that have the viewer's
-/// inclination in theta_d's place.
+/// inclination in theta_d's place. `theta_between`: half the angle between light and viewer; `theta_half`, `phi_half`:
+/// the half vector's inclination and its azimuth from the viewer's (lut/half_vector.glslh); `cos_normal`: the cosine
+/// between the light and the normal that faces the viewer. Tables over these four are a layout's own to fill.
 enum class AxisQuantity {
   sin_theta_i,
   sin_theta_o,
@@ -31,6 +33,10 @@ enum class AxisQuantity {
   theta_d,
   from_caustic,
   abs_theta_o,
+  theta_between,
+  theta_half,
+  phi_half,
+  cos_normal,
   none
 };
 /// One row of the table of quantities.
@@ -86,6 +92,8 @@ struct Layout {
   std::span<const Term> terms = {};  ///< the same as data; empty: the tables do not make S
   bool over_cos2_theta_d = false;    ///< the shader divides the sum by cos^2 theta_d
   std::string_view family = {};      ///< layouts of one family hold the same terms along other axes
+  std::string_view model = {};       ///< the one model whose S they are; empty: any that has their lobes
+  int points_of_mean = 0;            ///< solved texels hold means over their azimuths, by so many points; 0: points
   /// Fills the texels of the channels whose source is `solver`; null: none has it.
   Result<void> (*solve)(const struct Source& source, struct TableSet& set, Progress& progress) = nullptr;
 };
@@ -93,8 +101,8 @@ std::span<const Layout* const> layouts();
 Result<const Layout*> find_layout(std::string_view name);
 /// How scenes and `bake` name the layout that suits the model, their default.
 inline constexpr std::string_view k_best_layout = "auto";
-/// The layout of this name or, for k_best_layout, the one whose tables lose least of the model's S for their bytes:
-/// `nalu_caustic`, `nalu_theta` or `deon`, whose own assumption is measured at random directions (in this order where
+/// The layout of this name or, for k_best_layout, the model's own layout; else the one whose tables lose least of the
+/// model's S for their bytes: `nalu_caustic`, `nalu_theta` or `deon`, whose own assumption is measured at random directions (in this order where
 /// they are equal), and `factored` where that is more than 1 % rms (Layout.Best_HasTheLeastErrorOfItsBytes in
 /// lut_best_layout_test). Error: usage for an unknown name.
 Result<const Layout*> find_layout(std::string_view name, const bsdf::Model& model,

@@ -35,14 +35,23 @@ constexpr Angle k_angles[] = {
     {"phi", "acos(cos_phi)", true},
     {"theta_d", "0.5 * abs(theta_o - theta_i)", true},
     {"abs_theta_o", "abs(theta_o)", true},
+    {"theta_between", "0.5 * acos(clamp(dot(light, eye), -1.0, 1.0))", true},
+    {"cos_normal", "cos_theta_i * cos_phi", true},
+    {"half_along", "sin_theta_i + sin_theta_o", true},
+    {"half_toward", "cos_theta_i * cos_phi + cos_theta_o", true},
+    {"half_wide", "sqrt(half_toward * half_toward + cos_theta_i * cos_theta_i * (1.0 - cos_phi * cos_phi))", true},
+    {"half_length", "max(sqrt(half_along * half_along + half_wide * half_wide), 1.0e-6)", true},
+    {"theta_half", "asin(clamp(half_along / half_length, -1.0, 1.0))", true},
+    {"phi_half", "acos(clamp(half_toward / max(half_wide, 1.0e-6), -1.0, 1.0))", true},
 };
 
 bool is_angle(std::string_view name) {
   return std::any_of(std::begin(k_angles), std::end(k_angles), [&](const Angle& angle) { return angle.name == name; });
 }
 
-/// theta_d is made of both inclinations, abs_theta_o of one.
+/// theta_d is made of both inclinations, abs_theta_o of one, the half vector's angles of its parts.
 bool makes(std::string_view angle, std::string_view quantity) {
+  if (quantity == "theta_half" || quantity == "phi_half") return angle.starts_with("half_");
   if (quantity == "theta_d") return angle == "theta_i" || angle == "theta_o";
   return (quantity == "abs_theta_o" && angle == "theta_o") || (quantity == k_caustic_axis && angle == "phi");
 }

@@ -3,13 +3,14 @@
 // LAYOUT_CONSTANT, and the samplers table_first, table_second and table_rest, which holds the third table and, below it,
 // the fourth.
 #include "lut/caustic.glslh"
+#include "lut/half_vector.glslh"
 
 layout(constant_id = LAYOUT_CONSTANT) const uint k_axes = 0u;        // four bits an axis: lut::AxisQuantity
 layout(constant_id = LAYOUT_CONSTANT + 1) const uint k_terms = 0u;   // twelve bits a term, six a factor
 layout(constant_id = LAYOUT_CONSTANT + 2) const uint k_more_terms = 0u;
 layout(constant_id = LAYOUT_CONSTANT + 3) const uint k_reading = 0u;
 const bool k_over_angles = (k_reading & 1u) != 0u, k_from_caustic = (k_reading & 2u) != 0u, k_over_cos2 = (k_reading & 4u) != 0u,
-           k_stored_cosine = (k_reading & 8u) != 0u, k_fourth = (k_reading & 16u) != 0u;
+           k_stored_cosine = (k_reading & 8u) != 0u, k_fourth = (k_reading & 16u) != 0u, k_over_half = (k_reading & 32u) != 0u;
 
 // With mip levels a lookup reads a mean over what lies between it and those of the next pixels, where the tangent is
 // another. Half of the way: the tent between texels is twice as wide as they are (README.md).
@@ -18,7 +19,7 @@ const bool k_over_angles = (k_reading & 1u) != 0u, k_from_caustic = (k_reading &
 #endif
 
 // What a direction has on the axes, by lut::AxisQuantity, and the factor that a table from the caustic leaves out.
-struct Coordinates { float values[11]; float peak; };
+struct Coordinates { float values[15]; float peak; };
 
 float cos_squared_of_difference(Angles a) {
   float cosines = sqrt(max((1.0 - a.sin_i * a.sin_i) * (1.0 - a.sin_o * a.sin_o), 0.0));
@@ -32,7 +33,7 @@ Coordinates coordinates_of(Angles a) {
   at.values[1] = a.sin_o;
   at.values[2] = a.cos_phi;
   at.values[3] = sqrt(cos_squared);
-  for (uint k = 4u; k < 11u; ++k) at.values[k] = 0.0;
+  for (uint k = 4u; k < 15u; ++k) at.values[k] = 0.0;
   at.peak = 1.0;
   if (k_over_angles) {
     at.values[4] = asin(clamp(a.sin_i, -1.0, 1.0));
@@ -40,6 +41,15 @@ Coordinates coordinates_of(Angles a) {
     at.values[6] = acos(clamp(a.cos_phi, -1.0, 1.0));
     at.values[7] = 0.5 * abs(at.values[5] - at.values[4]);
     at.values[9] = abs(at.values[5]);
+  }
+  if (k_over_half) {
+    const float cos_i = sqrt(max(1.0 - a.sin_i * a.sin_i, 0.0)), cos_o = sqrt(max(1.0 - a.sin_o * a.sin_o, 0.0));
+    const HalfAngles half_vector = half_angles(vec2(a.sin_i, cos_i), vec2(a.sin_o, cos_o), a.cos_phi,
+                                               sqrt(max(1.0 - a.cos_phi * a.cos_phi, 0.0)));
+    at.values[10] = half_vector.between;
+    at.values[11] = half_vector.inclination;
+    at.values[12] = half_vector.azimuth;
+    at.values[13] = cos_i * a.cos_phi;
   }
   if (k_from_caustic) {
     FromCaustic beside = from_caustic(caustic.x, caustic.y, at.values[6], cos_squared);

@@ -11,7 +11,8 @@ namespace cuticle::render::strand_shading {
 namespace {
 
 constexpr std::uint32_t k_is_read = 32, k_is_colour = 16;  ///< beside table and channel in a factor's six bits
-constexpr std::uint32_t k_over_angles = 1, k_from_caustic = 2, k_over_cos2 = 4, k_stored_cosine = 8, k_fourth = 16;
+constexpr std::uint32_t k_over_angles = 1, k_from_caustic = 2, k_over_cos2 = 4, k_stored_cosine = 8, k_fourth = 16,
+                        k_over_half = 32;
 
 /// The channel called `name`, as tables.glsl has it; 0: there is none.
 std::uint32_t factor_code(const lut::TableSet& set, std::string_view name) {
@@ -34,11 +35,16 @@ bool is_angle(lut::AxisQuantity quantity) {
   return quantity >= lut::AxisQuantity::theta_i && quantity <= lut::AxisQuantity::abs_theta_o;
 }
 
+bool is_of_half_vector(lut::AxisQuantity quantity) {
+  return quantity >= lut::AxisQuantity::theta_between && quantity <= lut::AxisQuantity::cos_normal;
+}
+
 std::uint32_t reading(const lut::TableSet& set) {
   std::uint32_t flags = set.layout->over_cos2_theta_d ? k_over_cos2 : 0;
   for (const lut::Table& table : set.tables) {
     const auto u = table.layout->u.quantity, v = table.layout->v.quantity;
     if (is_angle(u) || is_angle(v)) flags |= k_over_angles;
+    if (is_of_half_vector(u) || is_of_half_vector(v)) flags |= k_over_half;
     if (u == lut::AxisQuantity::from_caustic) flags |= k_from_caustic;
   }
   const auto first = set.tables.front().layout->channels;
@@ -77,15 +83,23 @@ glm::vec4 scale_of(const lut::Table& table) {
   return scale;
 }
 
-/// All tables past the second, one below the other.
+/// All tables past the second, one below the other, with the channels of the one that has most.
 lut::TableSet stacked(const lut::TableSet& set) {
   lut::TableSet joined = set;
   joined.tables.resize(k_drawn_textures);
-  Image& image = joined.tables.back().image;
-  for (std::size_t t = k_drawn_textures; t < set.tables.size(); ++t) {
-    const Image& below = set.tables[t].image;
-    image.pixels.insert(image.pixels.end(), below.pixels.begin(), below.pixels.end());
-    image.height += below.height;
+  const std::span<const lut::Table> below = std::span(set.tables).subspan(k_drawn_textures - 1);
+  lut::Table& all = joined.tables.back();
+  all = *std::ranges::max_element(below, {}, [](const lut::Table& table) { return table.image.channels(); });
+  Image& image = all.image;
+  image.pixels.clear();
+  image.height = 0;
+  for (const lut::Table& table : below) {
+    const int from = image.height;
+    image.height += table.image.height;
+    image.pixels.resize(std::size_t(image.width * image.height * image.channels()), 0.0F);
+    for (int y = 0; y < table.image.height; ++y)
+      for (int x = 0; x < image.width; ++x)
+        for (int c = 0; c < table.image.channels(); ++c) image.at(x, from + y, c) = table.image.at(x, y, c);
   }
   return joined;
 }

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 
 #include "lut/caustic.glslh"
+#include "lut/half_vector.glslh"
 
 namespace cuticle::study {
 namespace {
@@ -21,6 +22,13 @@ bool find_channel(const lut::TableSet& set, std::string_view name, std::size_t& 
       if (channels[std::size_t(channel)].name == name) return true;
   }
   return false;
+}
+
+float cosine_of(float sine) { return std::sqrt(std::max(1 - sine * sine, 0.0f)); }
+
+lut::HalfAngles<float> half_angles_of(const ShaderInputs& in) {
+  return lut::half_angles<float>({in.sin_theta_i, cosine_of(in.sin_theta_i)},
+                                 {in.sin_theta_o, cosine_of(in.sin_theta_o)}, in.cos_phi, cosine_of(in.cos_phi));
 }
 
 }  // namespace
@@ -97,6 +105,14 @@ float TableSampler::coordinate(const Address& address, const ShaderInputs& in, f
         return std::acos(std::clamp(cos_theta_d, 0.0f, 1.0f));
       case lut::AxisQuantity::abs_theta_o:
         return std::abs(std::asin(in.sin_theta_o));
+      case lut::AxisQuantity::theta_between:
+        return half_angles_of(in).between;
+      case lut::AxisQuantity::theta_half:
+        return half_angles_of(in).inclination;
+      case lut::AxisQuantity::phi_half:
+        return half_angles_of(in).azimuth;
+      case lut::AxisQuantity::cos_normal:
+        return cosine_of(in.sin_theta_i) * in.cos_phi;
       default:
         return 0;
     }

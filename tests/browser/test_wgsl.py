@@ -46,6 +46,18 @@ def test_Snippet_OnWebGpu_AgreesWithTheDecodedTablesToHalfPrecision(folder, tmp_
     assert (found[:, 3] == 0).all()
 
 
+def test_SnippetOfTheHalfVector_OnWebGpu_AgreesWithTheDecodedTables(tmp_path):
+    done = run("bake", "--model", "scheuermann", "--size", 32, "--format", "dds", "--out", tmp_path / "lut")
+    assert done.returncode == 0, done.stderr
+    vectors = directions(tmp_path / "given")
+    result = result_of(HERE / "pages", "wgsl.html", lut=tmp_path / "lut", given=tmp_path / "given")
+    assert result["messages"] == []
+    found = np.array(result["found"]).reshape(COUNT, 4)
+    wanted = Tables(tmp_path / "lut").scattering(*vectors.transpose(1, 0, 2))
+    assert (np.abs(found[:, :3] - wanted) / (wanted + 0.01)).max() < 5 / 1024
+    assert (found[:, 3] == 0).all()
+
+
 def test_Probes_OfATableThatIsUpsideDown_NameTableAndProbe(folder, tmp_path):
     directions(tmp_path / "given")
     turned = tmp_path / "turned"

@@ -156,12 +156,16 @@ class Tables:
         return self.at(name, u_value * u["scale"] + u["bias"], v_value * v["scale"] + v["bias"])
 
     def scattering(self, light, eye, tangent):
-        """S of the layouts nalu and nalu_caustic from unit vectors, one a row."""
+        """S of the layouts nalu, nalu_caustic, karis and half_vector from unit vectors, one a row."""
         sine_i, sine_o = (light * tangent).sum(1), (eye * tangent).sum(1)
         cosines = np.sqrt((1 - sine_i ** 2) * (1 - sine_o ** 2))
         cos_phi = np.clip(((light * eye).sum(1) - sine_i * sine_o) / cosines, -1, 1)
         if self.manifest["layout"] == "nalu_caustic":
             return self.caustic_scattering(np.arcsin(sine_i), np.arcsin(sine_o), np.arccos(cos_phi))
+        if self.manifest["layout"] == "karis":
+            return self.karis_scattering(np.arcsin(sine_i), np.arcsin(sine_o), np.arccos(cos_phi), (light * eye).sum(1))
+        if self.manifest["layout"] == "half_vector":
+            return self.half_vector_scattering(light, eye, tangent, np.sqrt(1 - sine_i ** 2) * cos_phi)
         m = self.read("M", sine_i, sine_o)
         tt_r, trt = self.read("N_TT_R", cos_phi, m[:, 3]), self.read("N_TRT", cos_phi, m[:, 3])
         return m[:, :1] * tt_r[:, 3:] + m[:, 1:2] * tt_r[:, :3] + m[:, 2:3] * trt
@@ -179,3 +183,18 @@ class Tables:
         m, tt_r = self.read("M", theta_i, theta_o), self.read("N_TT_R", phi, theta_d)
         trt = self.read("N_TRT", value, theta_d) / held[:, None]
         return m[:, :1] * tt_r[:, 3:] + m[:, 1:2] * tt_r[:, :3] + m[:, 2:3] * trt
+
+    def karis_scattering(self, theta_i, theta_o, phi, cosine):
+        """N_R by half the angle between light and eye."""
+        m, tt = self.read("M", theta_i, theta_o), self.read("N_TT", phi, abs(theta_o - theta_i) / 2)
+        trt, r = self.read("N_TRT", phi, abs(theta_o - theta_i) / 2), self.read("N_R", phi, np.arccos(cosine) / 2)
+        return m[:, :1] * r + m[:, 1:2] * tt + m[:, 2:3] * trt
+
+    def half_vector_scattering(self, light, eye, tangent, cos_normal):
+        """Highlights by the half vector's angles."""
+        half = light + eye
+        half /= np.linalg.norm(half, axis=1, keepdims=True)
+        sine = (half * tangent).sum(1)
+        across, seen = half - sine[:, None] * tangent, eye - (eye * tangent).sum(1)[:, None] * tangent
+        cosine = (across * seen).sum(1) / (np.linalg.norm(across, axis=1) * np.linalg.norm(seen, axis=1))
+        return self.read("diffuse", cos_normal, 0 * cos_normal) + self.read("highlights", np.arccos(np.clip(cosine, -1, 1)), np.arcsin(sine))

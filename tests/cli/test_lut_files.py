@@ -30,13 +30,13 @@ def folders(tmp_path_factory):
     return made
 
 
-def evaluated(tmp_path, quantity, lobe, columns):
+def evaluated(tmp_path, quantity, lobe, columns, hair=HAIR):
     path = tmp_path / "points.csv"
     with path.open("w", newline="") as file:
         writer = csv.writer(file)
         writer.writerow(columns)
         writer.writerows(zip(*(np.degrees(values) for values in columns.values())))
-    found = rows("eval", *HAIR, "--quantity", quantity, "--lobe", lobe, "--points", path)
+    found = rows("eval", *hair, "--quantity", quantity, "--lobe", lobe, "--points", path)
     return np.array([[float(row[c]) for c in "rgb"] for row in found])
 
 
@@ -69,6 +69,21 @@ def test_CausticLayout_ReadByTheFormulaInItsManifest_IsTheModelEverywhere(tmp_pa
     exact = evaluated(tmp_path, "S", "sum", {"theta_i": theta_i, "theta_o": theta_o, "phi": phi})
     error = tables.caustic_scattering(theta_i, theta_o, phi) - exact
     assert np.sqrt((error ** 2).mean() / (exact ** 2).mean()) < 5e-3 and abs(error).max() < 2e-2 * exact.max()
+
+
+@pytest.mark.parametrize("model, layout", [("karis", "karis"), ("scheuermann", "half_vector")])
+def test_LayoutOfOneModel_ReadByTheFormulasInItsManifest_IsTheModelEverywhere(tmp_path, model, layout):
+    done = run("bake", "--model", model, "--out", tmp_path / "lut")
+    assert done.returncode == 0, done.stderr
+    tables, generator = Tables(tmp_path / "lut"), np.random.default_rng(3)
+    assert tables.manifest["layout"] == layout
+    theta_i, theta_o = (np.arcsin(generator.uniform(-0.98, 0.98, 2000)) for _ in range(2))
+    phi = generator.uniform(0, np.pi, 2000)
+    exact = evaluated(tmp_path, "S", "sum", {"theta_i": theta_i, "theta_o": theta_o, "phi": phi}, ["--model", model])
+    light = np.stack([np.sin(theta_i), np.cos(theta_i) * np.cos(phi), np.cos(theta_i) * np.sin(phi)], 1)
+    eye = np.stack([np.sin(theta_o), np.cos(theta_o), 0 * phi], 1)
+    error = tables.scattering(light, eye, np.array([[1.0, 0, 0]])) - exact
+    assert np.sqrt((error ** 2).mean() / (exact ** 2).mean()) < 3e-3 and abs(error).max() < 1e-2 * exact.max()
 
 
 @pytest.mark.parametrize("name", FORMATS)

@@ -25,7 +25,8 @@ double value_along(const lut::Axis& axis, int size, double coordinate) {
 
 bool is_angle(const lut::Axis& axis) {
   const std::string_view name = lut::axis_info(axis.quantity).name;
-  return name == "theta_i" || name == "theta_o" || name == "phi" || name == "theta_d" || name == "abs_theta_o";
+  return name == "theta_i" || name == "theta_o" || name == "phi" || name == "theta_d" || name == "abs_theta_o" ||
+         name == "theta_between" || name == "theta_half" || name == "phi_half";
 }
 /// Angles are shown in degrees.
 double shown_value(const lut::Axis& axis, int size, double coordinate) {

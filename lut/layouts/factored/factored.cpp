@@ -35,6 +35,7 @@ const Layout& entry() {
       .composition = "S = F1 G1 + F2 G2 + F3 G3",
       .terms = k_terms,
       .family = "factored",
+      .points_of_mean = k_points,
       .solve = solve};
   return layout;
 }

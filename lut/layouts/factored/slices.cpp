@@ -10,7 +10,6 @@ namespace cuticle::lut::factored {
 namespace {
 
 constexpr double k_pi = std::numbers::pi;
-constexpr int k_points = 4;  ///< of a texel's azimuths
 
 double inclination(int texel, int size) { return (double(texel) / (size - 1) - 0.5) * k_pi; }
 

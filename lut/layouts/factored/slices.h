@@ -5,6 +5,8 @@
 
 namespace cuticle::lut::factored {
 
+inline constexpr int k_points = 4;  ///< of a texel's azimuths
+
 /// Texels (x, y) of the table over (theta_i, theta_o) with |y - x| = step: those of one |theta_d|.
 std::vector<glm::ivec2> diagonal(int size, int step);
 

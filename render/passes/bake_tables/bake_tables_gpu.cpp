@@ -1,6 +1,9 @@
 #include "render/passes/bake_tables/bake_tables_gpu.h"
 
+#include <fmt/format.h>
+
 #include "lut/bake_gpu.h"
+#include "lut/evaluate.h"
 #include "render/strand_shading/tables_gpu.h"
 
 namespace cuticle::render::bake_tables {
@@ -27,9 +30,25 @@ class BakeTables : public GpuPass {
   std::vector<gpu::Texture> textures_;
 };
 
+/// Says what the tables take, and what to do where that is long.
+Result<void> announce(const lut::Layout& layout, const FibreMaterial& material, Progress& progress) {
+  constexpr double k_long_s = 20;
+  const lut::Source source = lut::cpu_source(*material.model, *material.values);
+  CUTICLE_ASSIGN(const double seconds, lut::seconds_to_bake(source, layout, material.lut_size));
+  progress.message(
+      seconds < k_long_s
+          ? "baking lookup tables"
+          : fmt::format("baking lookup tables of {} takes about {}: \"material\": {{\"evaluate\": \"direct\"}} needs "
+                        "none, a smaller \"lut_size\" takes less",
+                        material.model->entry.name,
+                        seconds < 120 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.0f} min", seconds / 60)));
+  return {};
+}
+
 /// A software device runs on the same cores and has a kernel to compile first.
 Result<lut::TableSet> bake(gpu::Device& device, const FibreMaterial& material, Progress& progress) {
   CUTICLE_ASSIGN(const lut::Layout* layout, lut::find_layout(material.layout, *material.model, *material.values));
+  CUTICLE_TRY(announce(*layout, material, progress));
   if (device.info().is_software)
     return lut::bake(*material.model, *material.values, *layout, material.lut_size, progress);
   return lut::bake_gpu(device, *material.model, *material.values, *layout, material.lut_size);
@@ -37,7 +56,6 @@ Result<lut::TableSet> bake(gpu::Device& device, const FibreMaterial& material, P
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
   Progress& progress = resources.progress ? *resources.progress : silent_progress();
-  progress.message("baking lookup tables");
   CUTICLE_ASSIGN(lut::TableSet set, bake(*device, resources.get<FibreMaterial>(), progress));
   auto pass = std::make_unique<BakeTables>(std::move(set));
   CUTICLE_TRY(pass->upload(*device, parameters_of<Parameters>(resources).mip_levels));

@@ -163,7 +163,8 @@ INSTANTIATE_TEST_SUITE_P(
                     LayoutCase{"marschner", "", "nalu_theta"}, LayoutCase{"marschner", "", "nalu_caustic"},
                     LayoutCase{"marschner", "", "nalu2"}, LayoutCase{"marschner", "variant=as_published", "barbu"},
                     LayoutCase{"marschner", "variant=as_published", "realengine"}, LayoutCase{"deon", "", "deon", 32},
-                    LayoutCase{"chiang", "field=far", "chiang", 32}, LayoutCase{"kajiya_kay", "", "factored", 16}),
+                    LayoutCase{"chiang", "field=far", "chiang", 32}, LayoutCase{"kajiya_kay", "", "factored", 16}, LayoutCase{"karis", "", "karis"},
+                    LayoutCase{"scheuermann", "", "half_vector"}),
     [](const auto& info) { return info.param.layout; });
 
 struct DefaultCase {
@@ -174,7 +175,9 @@ TEST(ShadeDirect, DefaultTables_AreTheModelWithinAPercent) {
   const Strands strands;
   for (const auto [name, settings] :
        {DefaultCase{"marschner", ""}, DefaultCase{"marschner", "sigma_a=0.06/0.1/0.2"},
-        DefaultCase{"marschner", "beta=0.2,sigma_a=2/3/4"}, DefaultCase{"chiang", "field=far,sigma_a=0.06/0.1/0.2"}}) {
+        DefaultCase{"marschner", "beta=0.2,sigma_a=2/3/4"}, DefaultCase{"chiang", "field=far,sigma_a=0.06/0.1/0.2"},
+        DefaultCase{"karis", ""}, DefaultCase{"scheuermann", ""}, DefaultCase{"kajiya_kay", ""},
+        DefaultCase{"hairworks", ""}, DefaultCase{"deon", ""}}) {
     const bsdf::Model& model = **bsdf::find_model(name);
     const auto values = *registry::parse_assignments(model.entry.parameters, settings);
     const auto colors = shaded(strands, model, values, *lut::find_layout(lut::k_best_layout, model, values));
