@@ -75,7 +75,7 @@ Source cpu_source(const bsdf::Model& model, const registry::ParameterValues& val
     return bsdf::azimuthal_means(model, values, lobe, intervals, out);
   };
   const double index = model.caustic_index ? model.caustic_index(values) : 0;
-  return {&model, evaluate, evaluate, average_fibre(model, values), means, index};
+  return {&model, evaluate, evaluate, average_fibre(model, values), means, index, scattering_at_many(model, values)};
 }
 
 Table empty_table(const TableLayout& layout, int size) {
@@ -241,12 +241,13 @@ std::size_t points_to_bake(const Layout& layout, int size) {
 }
 
 Result<double> seconds_to_bake(const Source& source, const Layout& layout, int size) {
-  constexpr std::size_t k_few = 32;
+  constexpr std::size_t k_few = 256;
   std::vector<bsdf::Point> points(k_few);
-  for (std::size_t i = 0; i < k_few; ++i) points[i] = {.theta_i = 0.5, .theta_o = 0.3, .phi = 0.1 * double(i)};
+  for (std::size_t i = 0; i < k_few; ++i) points[i] = {.theta_i = 0.5, .theta_o = 0.3, .phi = 0.01 * double(i)};
   std::vector<glm::dvec3> values(k_few);
   const auto start = std::chrono::steady_clock::now();
-  CUTICLE_TRY(source.evaluate({bsdf::Quantity::S, -1, points}, values));
+  const Evaluate& evaluate = layout.points_of_mean > 0 ? source.many() : source.evaluate;
+  CUTICLE_TRY(evaluate({bsdf::Quantity::S, -1, points}, values));
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
   return spent.count() / k_few * double(points_to_bake(layout, size));
 }

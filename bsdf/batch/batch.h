@@ -90,6 +90,8 @@ class BatchEvaluator {
   bool is_vectorised() const { return kernels_ || integrals_; }
   /// The same for `sample`.
   bool draws_vectorised() const;
+  /// Whether every point is an integral, of which a batch makes many in the time of one by the scalar formulas.
+  bool integrates() const { return integrals_ != nullptr; }
 
  private:
   BatchEvaluator(const Model& model, registry::ParameterValues values) : model_(&model), values_(std::move(values)) {}

@@ -60,6 +60,21 @@ TEST(Factored, ModelsWithoutMAndN_AreWithinTheirMeasuredErrors) {
   EXPECT_LT(relative_rms(certified("kajiya_kay", "", 32)), 0.03);
 }
 
+/// A model of which every point is an integral is asked in batches of float.
+TEST(Factored, SliceOfAnIntegral_IsTheModelInDouble) {
+  const bsdf::Model& model = *bsdf::find_model("yan_fur").value();
+  Source source = cpu_source(model, bsdf::parse_settings(model, "", "").value());
+  ASSERT_TRUE(source.at_many);
+  const Matrix batch = slice(source, 16, 5).value();
+  source.at_many = {};
+  const Matrix exact = slice(source, 16, 5).value();
+  double worst = 0;
+  for (std::size_t i = 0; i < exact.values.size(); ++i)
+    worst = std::max(worst, std::abs(batch.values[i] - exact.values[i]) / (exact.values[i] + 1e-3));
+  std::printf("off by %.1e\n", worst);
+  EXPECT_LT(worst, 2e-5);
+}
+
 TEST(Factored, NearField_IsRefusedWithTheReason) {
   const bsdf::Model& model = *bsdf::find_model("chiang").value();
   const auto result =

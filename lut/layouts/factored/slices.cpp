@@ -58,7 +58,7 @@ Result<Matrix> slice(const Source& source, int size, int step) {
   const std::vector<glm::ivec2> pairs = diagonal(size, step);
   const std::vector<bsdf::Point> points = points_of(pairs, size);
   std::vector<glm::dvec3> values(points.size());
-  CUTICLE_TRY(source.evaluate({bsdf::Quantity::S, -1, points}, values));
+  CUTICLE_TRY(source.many()({bsdf::Quantity::S, -1, points}, values));
   Matrix matrix{pairs.size(), std::size_t(size) * 3, {}};
   matrix.values.assign(matrix.rows * matrix.columns, 0.0);
   for (std::size_t i = 0; i < values.size(); ++i)

@@ -1,0 +1,44 @@
+// S at the many points that a layout's solver asks for.
+#include <cmath>
+
+#include "bsdf/batch/batch.h"
+#include "lut/evaluate.h"
+
+namespace cuticle::lut {
+namespace {
+
+/// Unit vectors in the fibre's frame, x along it.
+struct Vectors {
+  std::vector<float> x, y, z;
+  void add(double theta, double phi) {
+    x.push_back(float(std::sin(theta)));
+    y.push_back(float(std::cos(theta) * std::cos(phi)));
+    z.push_back(float(std::cos(theta) * std::sin(phi)));
+  }
+  bsdf::VectorSpans spans() const { return {x, y, z}; }
+};
+
+Result<void> evaluate_in_batch(const bsdf::BatchEvaluator& batch, std::span<const bsdf::Point> points,
+                               std::span<glm::dvec3> out) {
+  Vectors light, viewer;
+  for (const bsdf::Point& at : points) {
+    light.add(at.theta_i, 0);
+    viewer.add(at.theta_o, at.phi);
+  }
+  std::vector<float> red(out.size()), green(out.size()), blue(out.size());
+  CUTICLE_TRY(batch.evaluate({light.spans(), viewer.spans(), {}}, {red, green, blue}));
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = {red[i], green[i], blue[i]};
+  return {};
+}
+
+}  // namespace
+
+Evaluate scattering_at_many(const bsdf::Model& model, const registry::ParameterValues& values) {
+  const auto made = bsdf::BatchEvaluator::make(model, values);
+  if (!made.ok() || !made->integrates()) return {};
+  return [batch = *made](const bsdf::Request& request, std::span<glm::dvec3> out) {
+    return evaluate_in_batch(batch, request.points, out);
+  };
+}
+
+}  // namespace cuticle::lut
