@@ -35,7 +35,8 @@ Result<const Format*> find_format(std::string_view name) {
 
 namespace {
 
-constexpr std::string_view k_candidates[] = {"nalu_caustic", "nalu_theta", "deon", "chiang"};  ///< the least bytes first
+constexpr std::string_view k_candidates[] = {"nalu_caustic", "nalu_theta", "deon", "chiang",
+                                             "yan_fur"};  ///< the least bytes first
 constexpr std::string_view k_any_model = "factored";
 constexpr double k_max_error = 0.01;
 

@@ -1,30 +1,12 @@
-#include "lut/layouts/nalu_channels.h"
+#include "lut/layouts/viewer_channels.h"
 
 namespace cuticle::lut::chiang {
 namespace {
 
-constexpr Axis k_viewer{AxisQuantity::abs_theta_o, 0, AngleAxes::right, true};
-constexpr Channel k_m[] = {
-    {"M_R", bsdf::Quantity::M, "R", 0, Texel::for_filter},
-    {"M_TT", bsdf::Quantity::M, "TT", 0, Texel::for_filter},
-    {"M_TRT", bsdf::Quantity::M, "TRT", 0, Texel::for_filter},
-    {"M_residual", bsdf::Quantity::M, "residual", 0, Texel::for_filter},
-};
-constexpr Channel k_n_tt_r[] = {
-    {"N_TT.r", bsdf::Quantity::N, "TT", 0, Texel::for_filter},
-    {"N_TT.g", bsdf::Quantity::N, "TT", 1, Texel::for_filter},
-    {"N_TT.b", bsdf::Quantity::N, "TT", 2, Texel::for_filter},
-    {"N_R", bsdf::Quantity::N, "R", 0, Texel::for_filter},
-};
-constexpr Channel k_n_trt[] = {
-    {"N_TRT.r", bsdf::Quantity::N, "TRT", 0, Texel::for_filter},
-    {"N_TRT.g", bsdf::Quantity::N, "TRT", 1, Texel::for_filter},
-    {"N_TRT.b", bsdf::Quantity::N, "TRT", 2, Texel::for_filter},
-};
 constexpr TableLayout k_tables[] = {
-    {"M", AngleAxes::u_m, AngleAxes::v_m, k_m},
-    {"N_TT_R", AngleAxes::u_n, k_viewer, k_n_tt_r},
-    {"N_TRT", AngleAxes::u_n, k_viewer, k_n_trt},
+    {"M", AngleAxes::u_m, AngleAxes::v_m, k_smooth_m},
+    {"N_TT_R", AngleAxes::u_n, k_viewer, k_smooth_n_tt_r},
+    {"N_TRT", AngleAxes::u_n, k_viewer, k_smooth_n_trt},
     {"N_residual", k_viewer, k_no_axis, k_n_residual},
 };
 constexpr std::string_view k_systems[] = {"N12"};

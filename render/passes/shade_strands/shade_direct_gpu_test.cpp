@@ -164,7 +164,7 @@ INSTANTIATE_TEST_SUITE_P(
                     LayoutCase{"marschner", "", "nalu2"}, LayoutCase{"marschner", "variant=as_published", "barbu"},
                     LayoutCase{"marschner", "variant=as_published", "realengine"}, LayoutCase{"deon", "", "deon", 32},
                     LayoutCase{"chiang", "field=far", "chiang", 32}, LayoutCase{"kajiya_kay", "", "factored", 16}, LayoutCase{"karis", "", "karis"},
-                    LayoutCase{"scheuermann", "", "half_vector"}),
+                    LayoutCase{"scheuermann", "", "half_vector"}, LayoutCase{"yan_fur", "field=far,azimuthal_tolerance=1e-2", "yan_fur", 16}),
     [](const auto& info) { return info.param.layout; });
 
 struct DefaultCase {
@@ -177,7 +177,7 @@ TEST(ShadeDirect, DefaultTables_AreTheModelWithinAPercent) {
        {DefaultCase{"marschner", ""}, DefaultCase{"marschner", "sigma_a=0.06/0.1/0.2"},
         DefaultCase{"marschner", "beta=0.2,sigma_a=2/3/4"}, DefaultCase{"chiang", "field=far,sigma_a=0.06/0.1/0.2"},
         DefaultCase{"karis", ""}, DefaultCase{"scheuermann", ""}, DefaultCase{"kajiya_kay", ""},
-        DefaultCase{"hairworks", ""}, DefaultCase{"deon", ""}}) {
+        DefaultCase{"hairworks", ""}, DefaultCase{"deon", ""}, DefaultCase{"yan_fur", "field=far,azimuthal_tolerance=1e-4"}}) {
     const bsdf::Model& model = **bsdf::find_model(name);
     const auto values = *registry::parse_assignments(model.entry.parameters, settings);
     const auto colors = shaded(strands, model, values, *lut::find_layout(lut::k_best_layout, model, values));
