@@ -104,17 +104,20 @@ Image labelled(const Image& picture, const std::vector<std::string>& lines) {
   return sheet;
 }
 
+/// Three channels of a colour by its name; others by all of theirs.
 std::string names_of(const TableLayout& table, int first, int count) {
+  const std::string_view begins = table.channels[std::size_t(first)].name;
+  if (count == 3 && begins.ends_with(".r")) return fmt::format("{} in colour", begins.substr(0, begins.size() - 2));
   std::string names;
   for (int c = first; c < first + count; ++c)
     names += fmt::format("{}{}", names.empty() ? "" : " ", table.channels[std::size_t(c)].name);
-  return names;
+  return names + (count > 1 ? " as r, g, b" : "");
 }
 
 Image labelled_preview(const Table& table, int first, int count) {
   const TableLayout& layout = *table.layout;
   const std::vector<std::string> lines = {
-      fmt::format("{}: {}{}", layout.name, names_of(layout, first, count), count > 1 ? " as r, g, b" : ""),
+      fmt::format("{}: {}", layout.name, names_of(layout, first, count)),
       fmt::format("right {} {:.3g} .. {:.3g}", axis_info(layout.u.quantity).name, layout.u.lower, layout.u.upper),
       fmt::format("down {} {:.3g} .. {:.3g}", axis_info(layout.v.quantity).name, layout.v.lower, layout.v.upper)};
   return labelled(tone_map(preview_of(table, first, count)), lines);
