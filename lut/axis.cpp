@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 #include "lut/caustic.glslh"
 #include "lut/evaluate.h"
@@ -136,16 +135,15 @@ double left_out_factor(const TableLayout& table, const bsdf::Point& point, doubl
 
 namespace {
 
-/// What a shader computes of both directions for an axis that is no angle of a point.
-std::optional<double> value_of_both(AxisQuantity quantity, const bsdf::Point& at) {
+/// What a shader computes of both directions for an axis of the half vector.
+double value_of_both(AxisQuantity quantity, const bsdf::Point& at) {
   const double cos_i = std::cos(at.theta_i), cos_phi = std::cos(at.phi);
   if (quantity == AxisQuantity::cos_normal) return cos_i * cos_phi;
   const auto half = half_angles<double>({std::sin(at.theta_i), cos_i}, {std::sin(at.theta_o), std::cos(at.theta_o)},
                                         cos_phi, std::abs(std::sin(at.phi)));
   if (quantity == AxisQuantity::theta_between) return half.between;
   if (quantity == AxisQuantity::theta_half) return half.inclination;
-  if (quantity == AxisQuantity::phi_half) return half.azimuth;
-  return {};
+  return half.azimuth;
 }
 
 }  // namespace
@@ -156,7 +154,7 @@ double axis_coordinate(const Axis& axis, int size, const bsdf::Point& point, dou
   if (axis.quantity == AxisQuantity::from_caustic)
     return place_beside(point, size, caustic_index).value * map.scale + map.bias;
   if (axis.quantity == AxisQuantity::abs_theta_o) return std::abs(point.theta_o) * map.scale + map.bias;
-  if (const auto value = value_of_both(axis.quantity, point)) return *value * map.scale + map.bias;
+  if (is_of_half_vector(axis.quantity)) return value_of_both(axis.quantity, point) * map.scale + map.bias;
   return info.angle ? info.from_angle(point.*info.angle) * map.scale + map.bias : map.bias;
 }
 

@@ -27,11 +27,11 @@ struct Source {
   AverageFibre average = {};            ///< for the channels that need it
   AzimuthalMeans azimuthal_means = {};  ///< empty: none
   double caustic_index = 0;             ///< bsdf::Model::caustic_index
-  /// S of all lobes in float, for solvers that ask for millions of points of a model that integrates; empty: `evaluate`.
+  /// S of all lobes for solvers that ask for millions of points (scattering_at_many); empty: `evaluate`.
   Evaluate at_many = {};
   const Evaluate& many() const { return at_many ? at_many : evaluate; }
 };
-/// For Source::at_many: by the model's batch where every point is an integral, else empty.
+/// For Source::at_many: by the model's batch where every point is an integral, else in double.
 Evaluate scattering_at_many(const bsdf::Model& model, const registry::ParameterValues& values);
 /// What a table of these values holds: no table has an axis for phi_o, so a flat fibre's is the mean over turns of its
 /// cross-section: over 128 where texels hold the model's own means over azimuths, else over 16, of dual scattering

@@ -34,10 +34,10 @@ Result<void> evaluate_in_batch(const bsdf::BatchEvaluator& batch, std::span<cons
 }  // namespace
 
 Evaluate scattering_at_many(const bsdf::Model& model, const registry::ParameterValues& values) {
-  const auto made = bsdf::BatchEvaluator::make(model, values);
-  if (!made.ok() || !made->integrates()) return {};
-  return [batch = *made](const bsdf::Request& request, std::span<glm::dvec3> out) {
-    return evaluate_in_batch(batch, request.points, out);
+  return [&model, values](const bsdf::Request& request, std::span<glm::dvec3> out) -> Result<void> {
+    const auto batch = bsdf::BatchEvaluator::make(model, values);
+    if (batch.ok() && batch->integrates()) return evaluate_in_batch(*batch, request.points, out);
+    return bsdf::evaluate(model, values, bsdf::Precision::f64, request, out);
   };
 }
 

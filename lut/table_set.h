@@ -39,6 +39,10 @@ enum class AxisQuantity {
   cos_normal,
   none
 };
+/// Whether light and viewer make it together (lut/half_vector.glslh): no single angle of a point.
+constexpr bool is_of_half_vector(AxisQuantity quantity) {
+  return quantity >= AxisQuantity::theta_between && quantity <= AxisQuantity::cos_normal;
+}
 /// One row of the table of quantities.
 struct AxisInfo {
   AxisQuantity quantity;

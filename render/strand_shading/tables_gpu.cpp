@@ -35,16 +35,12 @@ bool is_angle(lut::AxisQuantity quantity) {
   return quantity >= lut::AxisQuantity::theta_i && quantity <= lut::AxisQuantity::abs_theta_o;
 }
 
-bool is_of_half_vector(lut::AxisQuantity quantity) {
-  return quantity >= lut::AxisQuantity::theta_between && quantity <= lut::AxisQuantity::cos_normal;
-}
-
 std::uint32_t reading(const lut::TableSet& set) {
   std::uint32_t flags = set.layout->over_cos2_theta_d ? k_over_cos2 : 0;
   for (const lut::Table& table : set.tables) {
     const auto u = table.layout->u.quantity, v = table.layout->v.quantity;
     if (is_angle(u) || is_angle(v)) flags |= k_over_angles;
-    if (is_of_half_vector(u) || is_of_half_vector(v)) flags |= k_over_half;
+    if (lut::is_of_half_vector(u) || lut::is_of_half_vector(v)) flags |= k_over_half;
     if (u == lut::AxisQuantity::from_caustic) flags |= k_from_caustic;
   }
   const auto first = set.tables.front().layout->channels;

@@ -48,8 +48,9 @@ Result<void> announce(const lut::Layout& layout, const FibreMaterial& material, 
 /// A software device runs on the same cores and has a kernel to compile first.
 Result<lut::TableSet> bake(gpu::Device& device, const FibreMaterial& material, Progress& progress) {
   CUTICLE_ASSIGN(const lut::Layout* layout, lut::find_layout(material.layout, *material.model, *material.values));
-  CUTICLE_TRY(announce(*layout, material, progress));
-  if (device.info().is_software)
+  const bool is_baked_here = device.info().is_software;
+  if (is_baked_here || layout->solve) CUTICLE_TRY(announce(*layout, material, progress));
+  if (is_baked_here)
     return lut::bake(*material.model, *material.values, *layout, material.lut_size, progress);
   return lut::bake_gpu(device, *material.model, *material.values, *layout, material.lut_size);
 }
