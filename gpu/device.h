@@ -43,6 +43,8 @@ struct DeviceRequest {
   /// On: a validation message becomes an error of the next submit. Default: the environment variable
   /// CUTICLE_VALIDATION=1.
   bool validation = false;
+  /// Storage buffers hold no more, whatever the device allows; 0: as it does. For tests of what a smaller device needs.
+  std::uint32_t most_storage_bytes = 0;
 };
 
 /// All Vulkan devices; empty when there is no loader or no driver.
@@ -278,8 +280,9 @@ class Device : public std::enable_shared_from_this<Device> {
 
   /// Error: out_of_memory, naming size and limit (a single buffer is at most info().max_storage_buffer_bytes).
   Result<Buffer> make_buffer(std::size_t bytes);
-  /// A buffer that shaders read as texels of 16 bytes and write in parts: at most info().max_texel_buffer_bytes.
-  Result<Buffer> make_texel_buffer(std::size_t bytes);
+  /// A buffer that shaders read as texels and write in parts: at most info().max_texel_buffer_bytes of 16 bytes each, and
+  /// as many of a smaller format.
+  Result<Buffer> make_texel_buffer(std::size_t bytes, TextureFormat format = TextureFormat::rgba32f);
   Result<void> upload(const Buffer& buffer, std::span<const std::byte> data, std::size_t offset = 0);
   Result<void> download(const Buffer& buffer, std::span<std::byte> data, std::size_t offset = 0);
 

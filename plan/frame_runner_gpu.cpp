@@ -22,6 +22,10 @@ namespace {
 
 constexpr int k_none = -2;
 
+double milliseconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
 }  // namespace
 
 struct FrameRunner::Impl {
@@ -125,9 +129,10 @@ struct FrameRunner::Impl {
                       .head_travel = motion ? motion->head_travel(frame) : glm::dvec3(0)});
   }
 
-  /// The drawn strands live in one buffer each of positions and tangents.
+  /// What a vertex shows of a light is the most that a shader reads or writes anywhere in one storage buffer; places,
+  /// tangents and colours are written in parts (strands/spline/drawn_parts.h).
   static Result<void> check_size(const registry::FrameShape& shape) {
-    const std::uint64_t most = shape.max_storage_buffer_bytes / sizeof(glm::vec4);
+    const std::uint64_t most = shape.max_storage_buffer_bytes / sizeof(float);
     if (shape.vertices <= most) return {};
     return bad_input(
         fmt::format("strand_count: {} strands have {} vertices; this device allows 1 .. {} vertices in one buffer",
@@ -184,6 +189,13 @@ struct FrameRunner::Impl {
     if (frame_plan.paints()) CUTICLE_TRY(paint_anew(frame, result));
     painted = frame;
     if (find_pass(plan, "reference")) return trace_paths(frame, options, result);
+    const auto begin = std::chrono::steady_clock::now();
+    CUTICLE_TRY(read_back(result));
+    result.read_back_ms = milliseconds_since(begin);
+    return {};
+  }
+
+  Result<void> read_back(FrameResult& result) {
     if (scene.outputs.tells_strands()) {
       CUTICLE_ASSIGN(ToldPicture told, picture->read_told());
       result.color = std::move(told.color);
@@ -329,7 +341,7 @@ Result<FrameResult> FrameRunner::run(int frame, const FrameOptions& options) {
     result.colliders = impl_->motion->colliders();
     result.head = impl_->motion->head();
   }
-  result.clock_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  result.clock_ms = milliseconds_since(begin);
   return result;
 }
 

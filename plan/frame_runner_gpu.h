@@ -36,7 +36,8 @@ struct FrameResult {
   /// Passes named as the plan names them; of a solver on the CPU its wall time. wall_ms: of all submissions, those
   /// that a too small buffer made necessary among them, and of the CPU's solver.
   gpu::SubmitCost cost;
-  double clock_ms = 0;             ///< from the call to its end, with what is read back
+  double clock_ms = 0;             ///< from the call to its end
+  double read_back_ms = 0;         ///< of it, for bringing the picture from the device
   std::uint32_t repeats = 0;       ///< how often passes ran again because a buffer was too small
   std::vector<std::string> notes;  ///< what was left out of the picture, one sentence each
 };

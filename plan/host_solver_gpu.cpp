@@ -11,7 +11,7 @@ Result<std::unique_ptr<HostSolver>> HostSolver::create(std::shared_ptr<gpu::Devi
                                                        std::size_t vertices) {
   std::unique_ptr<HostSolver> made(new HostSolver(std::move(device), std::move(solver), std::move(name)));
   for (gpu::Buffer* buffer : {&made->positions_, &made->velocities_}) {
-    CUTICLE_ASSIGN(*buffer, made->device_->make_buffer(vertices * sizeof(glm::vec4)));
+    CUTICLE_ASSIGN(*buffer, made->device_->make_texel_buffer(vertices * sizeof(glm::vec4)));
   }
   return made;
 }

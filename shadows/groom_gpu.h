@@ -2,6 +2,7 @@
 // A groom in device buffers, as the passes of shadow methods read it.
 #include <algorithm>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <glm/vec4.hpp>
@@ -28,7 +29,8 @@ inline Result<std::unique_ptr<GroomOnDevice>> upload_groom(gpu::Device& device, 
   const std::uint32_t segment_count = std::uint32_t(first.size());
   first.resize(std::max<std::size_t>(1, first.size()));  // a buffer holds at least one word
   auto result = std::make_unique<GroomOnDevice>();
-  CUTICLE_ASSIGN(result->vertices, gpu::make_buffer_from<glm::vec4>(device, packed));
+  CUTICLE_ASSIGN(result->vertices, device.make_texel_buffer(packed.size() * sizeof(glm::vec4)));
+  CUTICLE_TRY(device.upload(result->vertices, std::as_bytes(std::span(packed))));
   CUTICLE_ASSIGN(result->segments, gpu::make_buffer_from<std::uint32_t>(device, first));
   CUTICLE_ASSIGN(result->transmittance, device.make_buffer(4 * packed.size()));
   result->strands = {&result->vertices, &result->segments, std::uint32_t(packed.size()), segment_count,

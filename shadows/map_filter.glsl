@@ -73,5 +73,5 @@ float transmittance_at(MapPlacement placement, vec3 position, uint s, uint v, fl
 /// The same at vertex v.
 float transmittance_of_vertex(MapPlacement placement, uint v, float deepest) {
   const OwnPlace own = own_place(v);
-  return transmittance_at(placement, texelFetch(vertices, int(v)).xyz, own.s, own.at, deepest);
+  return transmittance_at(placement, drawn_vertex(v).xyz, own.s, own.at, deepest);
 }

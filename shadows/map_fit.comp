@@ -4,7 +4,8 @@
 layout(local_size_x = 64) in;
 #include "shadows/map_geometry.glsl"
 
-layout(binding = 0) uniform samplerBuffer vertices;
+#define VERTICES_BINDING 0
+#include "strands/spline/drawn.glsl"
 layout(std430, binding = 1) buffer Box { uint least[6]; };
 
 shared uint group_least[6];
@@ -19,7 +20,7 @@ void main() {
   vec3 lower = vec3(k_far), upper = vec3(-k_far);
   const uint first = k_vertices_each * invocation();
   for (uint v = first; v < min(first + k_vertices_each, push.count); ++v) {
-    const vec3 point = in_light_axes(texelFetch(vertices, int(v)).xyz);
+    const vec3 point = in_light_axes(drawn_vertex(v).xyz);
     if (!is_seen_by_light(point, push.reach)) continue;
     lower = min(lower, point);
     upper = max(upper, point);

@@ -123,7 +123,7 @@ void visit_own_segment(uint s, bool backward, bool is_first, bool is_last) {
 
 /// The receiver lies at vertex v, where segment s begins or would, seen from the light at `seen`, in the map at `at`.
 void find_own(MapPlacement placement, uint s, uint v, vec3 seen, vec2 at, float disc_radius) {
-  const float radius = texelFetch(vertices, int(v)).w * push.caster_width;
+  const float radius = drawn_vertex(v).w * push.caster_width;
   const float half_width = radius * placement.scale.x * view_scale(seen, push.reach);
   own_placement = placement;
   receiver_at = at;

@@ -2,7 +2,8 @@
 #include "shadows/map_geometry.glsl"
 #include "shadows/splat.glslh"
 
-layout(binding = 0) uniform samplerBuffer vertices;
+#define VERTICES_BINDING 0
+#include "strands/spline/drawn.glsl"
 layout(binding = 1) uniform usamplerBuffer segments;
 layout(std430, binding = 2) readonly buffer Box { uint least[6]; };
 
@@ -25,7 +26,7 @@ struct MapVertex {
   float radius;
 };
 MapVertex map_vertex(uint v) {
-  const vec4 vertex = texelFetch(vertices, int(v));
+  const vec4 vertex = drawn_vertex(v);
   return MapVertex(in_light_axes(vertex.xyz), vertex.w);
 }
 

@@ -49,12 +49,12 @@ OwnPlace own_place(uint v) {
 vec3 own_along(uint s, uint v) {
   const uint parts = segment_parts(), from = begins_at(s, v) ? v : ends_at(s, v) ? v - parts : k_no_vertex;
   if (from == k_no_vertex) return vec3(0.0);
-  return texelFetch(vertices, int(from + parts)).xyz - texelFetch(vertices, int(from)).xyz;
+  return drawn_vertex(from + parts).xyz - drawn_vertex(from).xyz;
 }
 
 /// At vertex v, where segment s begins or would.
 LookupPlace lookup_place(vec3 on_axis, uint s, uint v) {
-  return lookup_place(on_axis, own_along(s, v), texelFetch(vertices, int(v)).w);
+  return lookup_place(on_axis, own_along(s, v), drawn_vertex(v).w);
 }
 
 /// Segments from `s` on and before it, which begins at vertex v or is the first behind it, as long as they are joined and

@@ -19,7 +19,7 @@ struct StrandBuffers {
 };
 
 /// Buffers that hold the rest pose at rest. The pose has at least one vertex.
-/// Error: out_of_memory; more than 8 million vertices do not fit the 128 MiB that every device offers.
+/// Error: out_of_memory; more than 8 million vertices do not fit the 128 MiB that every device offers one buffer.
 Result<StrandBuffers> make_strand_buffers(gpu::Device& device, const RestPose& pose);
 
 /// Uploads which strands a frame's spheres may touch (FrameInput::reached; empty: all), and returns how many they are.

@@ -40,11 +40,12 @@ struct RenderOptions {
 struct Costs {
   std::vector<gpu::PassCost> passes;
   std::vector<gpu::FragmentCount> fragments;
-  double wall_ms = 0;
+  double wall_ms = 0, read_back_ms = 0;
   int frames = 0;
 
-  void add(const gpu::SubmitCost& cost) {
+  void add(const gpu::SubmitCost& cost, double read_back) {
     wall_ms += cost.wall_ms;
+    read_back_ms += read_back;
     ++frames;
     for (const gpu::PassCost& pass : cost.passes) {
       auto found = std::ranges::find(passes, pass.name, &gpu::PassCost::name);
@@ -82,8 +83,8 @@ CostSplit split_of(const Costs& costs, const plan::Plan& plan) {
 }
 
 void print_text(const Costs& costs, const CostSplit& split, const std::string& device) {
-  fmt::print("{} frame(s) on {}: {:.1f} ms of submitted work a frame by wall clock\n", costs.frames, device,
-             costs.wall_ms / costs.frames);
+  fmt::print("{} frame(s) on {}: {:.1f} ms of submitted work a frame by wall clock, {:.1f} ms to read the picture back\n",
+             costs.frames, device, costs.wall_ms / costs.frames, costs.read_back_ms / costs.frames);
   fmt::print("{:<20} {:>10} {:>6} {:>15}   (each a frame)\n", "pass", "dispatches", "draws", "timestamps, ms");
   for (const gpu::PassCost& pass : costs.passes)
     fmt::print("{:<20} {:>10g} {:>6g} {:>15.3f}\n", pass.name, double(pass.dispatches) / costs.frames,
@@ -110,6 +111,7 @@ void print_json(const Costs& costs, const CostSplit& split, const std::string& d
       {"device", device},
       {"frames", costs.frames},
       {"wall_ms_per_frame", costs.wall_ms / costs.frames},
+      {"read_back_ms_per_frame", costs.read_back_ms / costs.frames},
       {"split_ms", {{"simulate", split.simulate}, {"generate", split.generate}, {"render", split.render}}},
       {"passes", passes},
       {"fragments_per_frame", fragments}};
@@ -122,7 +124,7 @@ Result<void> render_frame(const RenderOptions& options, plan::FrameRunner& runne
   CUTICLE_ASSIGN(plan::FrameResult result, runner.run(frame, {.path_state = state, .progress = &progress}));
   for (const std::string& note : result.notes) progress.message(note);
   CUTICLE_ASSIGN(const std::vector<std::string> files, write_frame(options.out, frame, result, scene));
-  costs.add(result.cost);
+  costs.add(result.cost, result.read_back_ms);
   for (const std::string& file : files) folder.add(file);
   return {};
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdlib>
 
 #include "gpu/detail/choice.h"
@@ -32,6 +33,12 @@ Result<void> choose_physical(Device::Impl& device, const std::string& choice) {
   return {};
 }
 
+void limit_storage(Device::Impl& device, std::uint32_t most_bytes) {
+  if (most_bytes == 0) return;
+  device.limits.maxStorageBufferRange = std::min(device.limits.maxStorageBufferRange, most_bytes);
+  device.info.max_storage_buffer_bytes = std::min<std::uint64_t>(device.info.max_storage_buffer_bytes, most_bytes);
+}
+
 }  // namespace
 
 Device::Device() : impl_(std::make_unique<Impl>()) {}
@@ -45,6 +52,7 @@ Result<std::shared_ptr<Device>> Device::open(const DeviceRequest& request) {
   const bool validation = request.validation || environment("CUTICLE_VALIDATION") == "1";
   CUTICLE_ASSIGN(device->impl_->instance, Instance::create(validation));
   CUTICLE_TRY(choose_physical(*device->impl_, request.choice.empty() ? environment("CUTICLE_DEVICE") : request.choice));
+  limit_storage(*device->impl_, request.most_storage_bytes);
   CUTICLE_TRY(create_logical_device(*device->impl_));
   return device;
 }

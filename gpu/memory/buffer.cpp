@@ -5,6 +5,7 @@
 
 #include "core/expect.h"
 #include "gpu/detail/device_impl.h"
+#include "gpu/detail/texels.h"
 
 namespace cuticle::gpu {
 namespace {
@@ -87,7 +88,9 @@ Result<VkBuffer> create_buffer_handle(Device::Impl& device, std::size_t bytes, V
 }
 
 Result<Buffer> Device::make_buffer(std::size_t bytes) { return make_up_to(bytes, info().max_storage_buffer_bytes); }
-Result<Buffer> Device::make_texel_buffer(std::size_t bytes) { return make_up_to(bytes, info().max_texel_buffer_bytes); }
+Result<Buffer> Device::make_texel_buffer(std::size_t bytes, TextureFormat format) {
+  return make_up_to(bytes, info().max_texel_buffer_bytes / 16 * bytes_per_texel(format));
+}
 
 Result<Buffer> Device::make_up_to(std::size_t bytes, std::uint64_t most) {
   if (bytes > most)

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "gpu/detail/commands_impl.h"
@@ -92,10 +94,22 @@ bool collect_texels(Commands::Impl& commands, const ShaderInterface& interface, 
   return true;
 }
 
-bool collect(Commands::Impl& commands, const Resources& resources, Writes& writes) {
+/// Whether a buffer may be bound: as storage only up to the device's limit, above which it is read as texels.
+bool may_bind(Commands::Impl& commands, const ShaderInterface& interface, std::size_t binding, std::size_t bytes) {
+  const bool has_texels =
+      std::ranges::any_of(interface.texels, [&](const TexelBinding& texel) { return texel.binding == binding; });
+  const std::uint32_t most = commands.device->impl()->limits.maxStorageBufferRange;
+  if (has_texels || bytes <= most) return true;
+  fail(commands, internal_error(fmt::format("gpu: binding {}: {} bytes as storage, the device allows {}: bind a part, "
+                                            "or read texels",
+                                            binding, bytes, most)));
+  return false;
+}
+
+bool collect(Commands::Impl& commands, const ShaderInterface& interface, const Resources& resources, Writes& writes) {
   for (const Buffer* buffer : resources.buffers) {
     const auto object = object_of(commands, buffer);
-    if (!object) return false;
+    if (!object || !may_bind(commands, interface, writes.buffers.size(), buffer->impl()->bytes)) return false;
     writes.buffers.push_back({object->handle, buffer->impl()->offset, buffer->impl()->bytes});
   }
   for (const Texture* texture : resources.textures) {
@@ -144,7 +158,7 @@ bool bind(Commands::Impl& commands, VkPipelineBindPoint point, const std::shared
   Device::Impl& device = *commands.device->impl();
   Writes writes;
   const ShaderInterface& interface = pipeline->interface;
-  if (!fits(commands, interface, resources) || !collect(commands, resources, writes) ||
+  if (!fits(commands, interface, resources) || !collect(commands, interface, resources, writes) ||
       !collect_texels(commands, interface, resources, writes))
     return false;
   const VkDescriptorSet set = allocate_set(commands, pipeline->set_layout);

@@ -7,8 +7,9 @@ namespace cuticle::render {
 Result<GatheredTransmittance> GatheredTransmittance::make(gpu::Device& device, const Resources& resources) {
   const std::size_t lights = std::max<std::size_t>(1, resources.get<Lights>().all.size());
   GatheredTransmittance gathered;
-  CUTICLE_ASSIGN(gathered.buffer_, device.make_buffer(lights * transmittance_of(resources).channels.count *
-                                                      resources.get<DrawnHair>().strands.vertex_count * sizeof(float)));
+  const std::size_t numbers =
+      lights * transmittance_of(resources).channels.count * resources.get<DrawnHair>().strands.vertex_count;
+  CUTICLE_ASSIGN(gathered.buffer_, device.make_texel_buffer(numbers * sizeof(float), gpu::TextureFormat::r32f));
   return gathered;
 }
 

@@ -12,6 +12,8 @@ class GatheredTransmittance {
   void record(gpu::Commands& commands, const Resources& resources) const;
 
   const gpu::Buffer& buffer() const { return buffer_; }
+  /// As a shader reads it at a binding.
+  static gpu::TexelBinding texels(std::uint32_t binding) { return {binding, gpu::TextureFormat::r32f}; }
 
  private:
   gpu::Buffer buffer_;

@@ -7,8 +7,9 @@ layout(local_size_x = 64) in;
 #include "render/strand_shading/frame.glsl"
 #include "render/randomness/strand_chance.glsl"
 
-layout(std430, set = 0, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
-layout(std430, set = 0, binding = 1) readonly buffer Tangents { vec4 tangents[]; };
+#define VERTICES_BINDING 0
+#define TANGENTS_BINDING 1
+#include "strands/spline/drawn.glsl"
 layout(std430, set = 0, binding = 2) writeonly buffer Points { float points[]; };  // six each: bsdf::Point
 layout(std430, set = 0, binding = 4) readonly buffer List { uint list_count, list_groups[3], list[]; };
 layout(push_constant) uniform Push {
@@ -24,9 +25,9 @@ void main() {
   if (place >= vertex_count) return;
   // Past the list's end its last vertex stands again: whole workgroups are evaluated.
   if (is_listed != 0u) vertex = list[min(place, list_count - 1u)];
-  vec3 t = normalize(tangents[vertex].xyz + tilt_of(vertex / vertices_per_strand, variation));
-  vec3 to_eye = normalize(eye.xyz - vertices[vertex].xyz);
-  vec3 to_light = arriving_at(vertices[vertex].xyz, lights[light]).to_light;
+  vec3 t = normalize(drawn_tangent(vertex).xyz + tilt_of(vertex / vertices_per_strand, variation));
+  vec3 to_eye = normalize(eye.xyz - drawn_vertex(vertex).xyz);
+  vec3 to_light = arriving_at(drawn_vertex(vertex).xyz, lights[light]).to_light;
   vec3 across_i = to_light - dot(to_light, t) * t, across_o = to_eye - dot(to_eye, t) * t;
   float theta_i = inclination(to_light, t, across_i), theta_o = inclination(to_eye, t, across_o);
   float turned = length(cross(across_i, across_o)), phi = turned > 0.0 ? atan(turned, dot(across_i, across_o)) : 0.0;

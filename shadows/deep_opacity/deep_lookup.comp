@@ -24,6 +24,6 @@ void main() {
   if (v >= push.count) return;
   const MapPlacement placement = placement_of(least);
   first_stored = k_packed != 0u ? 0u : first_kept;  // codes are kept of all strips
-  const vec3 seen = in_light_axes(texelFetch(vertices, int(v)).xyz);
+  const vec3 seen = in_light_axes(drawn_vertex(v).xyz);
   if (!is_damaged(place_in_map(placement, seen).xy)) look_up(placement, v);
 }

@@ -6,7 +6,8 @@
 #include "shadows/lookup_place.glsl"
 #include "shadows/opacity_map/tent_planes.glsl"
 
-layout(binding = 0) uniform samplerBuffer vertices;
+#define VERTICES_BINDING 0
+#include "strands/spline/drawn.glsl"
 layout(binding = 1) uniform usamplerBuffer segments;
 layout(std430, binding = 2) readonly buffer Box { uint least[6]; };
 layout(location = 0) out vec3 position;  // metres
@@ -20,7 +21,7 @@ void main() {
   const uint per_segment = uint(push.own[1]), side = uint(push.own[2]);
   const uvec2 corner = k_corners[gl_VertexIndex % 6];
   const int parts = int(segment_parts()), first = int(texelFetch(segments, int(segment) * parts).r);
-  const vec4 from = texelFetch(vertices, first), to = texelFetch(vertices, first + parts);
+  const vec4 from = drawn_vertex(uint(first)), to = drawn_vertex(uint(first + parts));
   position = corner.x == 0u ? from.xyz : to.xyz;
   const MapPlacement placement = placement_of(least);
   const LookupPlace place = lookup_place(position, to.xyz - from.xyz, from.w);

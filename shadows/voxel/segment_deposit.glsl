@@ -13,7 +13,7 @@ struct SegmentDeposit {
 };
 SegmentDeposit segment_deposit(VolumePlacement placement, uint s) {
   const int parts = int(segment_parts()), v = int(texelFetch(segments, int(s) * parts).r);
-  const vec4 a = texelFetch(vertices, v), b = texelFetch(vertices, v + parts);
+  const vec4 a = drawn_vertex(uint(v)), b = drawn_vertex(uint(v + parts));
   precise vec3 along = b.xyz - a.xyz;
   precise float width = a.w + b.w;
   const uint pieces = volume_pieces(placement, exact_length(along));

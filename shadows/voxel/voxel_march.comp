@@ -44,7 +44,7 @@ vec2 span_inside(vec3 p, vec3 direction) {
 
 vec3 receiver;
 float visit_own_vertex(uint v) {
-  const vec3 away = texelFetch(vertices, int(v)).xyz - receiver;
+  const vec3 away = drawn_vertex(v).xyz - receiver;
   return length(away - dot(away, push.forward.xyz) * push.forward.xyz);
 }
 
@@ -79,11 +79,11 @@ void main() {
   const uint v = listed_vertex(invocation());
   if (v >= push.count) return;
   placement = volume_placement(lower_of(least), upper_of(least), push.resolution);
-  receiver = texelFetch(vertices, int(v)).xyz;
+  receiver = drawn_vertex(v).xyz;
   const OwnPlace own = own_place(v);
   const LookupPlace place = lookup_place(receiver, own.s, own.at);
   const vec3 from = place.point - place.held * push.forward.xyz;
-  find_own_segments(own.s, own.at, push.filter_radius + k_own_cells * placement.cell + texelFetch(vertices, int(v)).w,
+  find_own_segments(own.s, own.at, push.filter_radius + k_own_cells * placement.cell + drawn_vertex(v).w,
                     placement.cell);
   precise float cells = push.filter_radius * placement.per_metre;
   const int count = ray_count(cells);

@@ -5,8 +5,9 @@
 #include "strands/packing/packing.glslh"
 
 layout(local_size_x = 64) in;
-layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };  // position, radius
-layout(std430, binding = 1) readonly buffer Tangents { vec4 tangents[]; };
+#define VERTICES_BINDING 0
+#define TANGENTS_BINDING 1
+#include "strands/spline/drawn.glsl"
 layout(std430, binding = 2) writeonly buffer PackedVertices { uint words[]; };         // three a vertex
 layout(std430, binding = 3) writeonly buffer PackedStrands { float strand_units[]; };  // five a strand
 layout(push_constant) uniform Constants { uint strands; uint count; };
@@ -15,10 +16,10 @@ void main() {
   const uint strand = invocation();
   if (strand >= strands) return;
   const uint first = strand * count;
-  vec4 lower = vertices[first], upper = lower;
+  vec4 lower = drawn_vertex(first), upper = lower;
   for (uint i = 1u; i < count; ++i) {
-    lower = min(lower, vertices[first + i]);
-    upper = max(upper, vertices[first + i]);
+    lower = min(lower, drawn_vertex(first + i));
+    upper = max(upper, drawn_vertex(first + i));
   }
   const vec3 center = 0.5 * lower.xyz + 0.5 * upper.xyz;
   const vec3 side = max(upper.xyz - center, center - lower.xyz);
@@ -29,10 +30,10 @@ void main() {
   strand_units[5u * strand + 3u] = extent;
   strand_units[5u * strand + 4u] = radius;
   for (uint v = first; v < first + count; ++v) {
-    const vec4 vertex = vertices[v];
+    const vec4 vertex = drawn_vertex(v);
     const vec3 place = extent > 0.0 ? (vertex.xyz - center) / extent : vec3(0.0);
     words[3u * v] = packHalf2x16(place.xy);
     words[3u * v + 1u] = packHalf2x16(vec2(place.z, radius > 0.0 ? vertex.w / radius : 0.0));
-    words[3u * v + 2u] = packed_tangent(tangents[v].xyz);
+    words[3u * v + 2u] = packed_tangent(drawn_tangent(v).xyz);
   }
 }

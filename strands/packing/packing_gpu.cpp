@@ -1,6 +1,7 @@
 #include "strands/packing/packing_gpu.h"
 
 #include "gpu/groups.h"
+#include "strands/spline/drawn_gpu.h"
 
 #include <pack_comp.spv.h>
 
@@ -13,7 +14,7 @@ Result<GpuPacking> GpuPacking::create(gpu::Device& device, std::uint32_t strands
   CUTICLE_ASSIGN(packing.vertices_, device.make_buffer(vertices * sizeof(PackedVertex)));
   CUTICLE_ASSIGN(packing.strands_, device.make_buffer(strands * sizeof(PackedStrand)));
   CUTICLE_ASSIGN(packing.kernel_,
-                 device.make_kernel(pack_comp, {.storage_buffers = 4, .push_constant_bytes = sizeof(constants_)}));
+                 device.make_kernel(pack_comp, {4, 0, sizeof(constants_), {}, {drawn_texels(0), drawn_texels(1)}}));
   return packing;
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 // The strands that a frame draws, on the device, from where the control strands are.
+#include <vector>
+
 #include "gpu/device.h"
+#include "strands/spline/drawn_parts.h"
 
 #include <glm/mat3x3.hpp>
 
@@ -31,6 +34,18 @@ class DrawnStrands {
   std::uint32_t vertex_count() const { return strand_count() * vertices_per_strand(); }
   std::uint32_t segment_count() const { return strand_count() * (vertices_per_strand() - 1); }
 };
+
+/// Vertices, tangents or velocities as a shader reads them at a binding (drawn.glsl).
+inline gpu::TexelBinding drawn_texels(std::uint32_t binding) { return {binding, gpu::TextureFormat::rgba32f}; }
+
+/// A run of drawn strands of which one binding of a storage buffer holds so many bytes a vertex (drawn_parts.h).
+struct StrandPart {
+  std::uint32_t first, count, vertices_per_strand, bytes;
+  /// What a buffer of all strands' vertices has of them.
+  gpu::Buffer of(const gpu::Buffer& all) const;
+};
+std::vector<StrandPart> strand_parts(const gpu::DeviceInfo& device, std::uint32_t strands,
+                                     std::uint32_t vertices_per_strand, std::uint32_t bytes = k_vertex_bytes);
 
 /// The segments of strands of equal size: segment k of a strand begins at its vertex k.
 std::vector<std::uint32_t> first_vertices(std::size_t strands, std::size_t vertices);

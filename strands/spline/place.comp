@@ -5,18 +5,18 @@
 #include "strands/tangent.glslh"
 
 layout(local_size_x = 64) in;
-layout(std430, binding = 1) readonly buffer Controls { vec4 controls[]; };   // world positions
+layout(binding = 1) uniform samplerBuffer controls;                          // world positions
 layout(std430, binding = 2) readonly buffer Radii { float radii[]; };        // per control vertex
-layout(std430, binding = 3) writeonly buffer Vertices { vec4 vertices[]; };  // position, radius
+layout(std430, binding = 3) writeonly buffer Vertices { vec4 vertices[]; };  // of this dispatch's strands: position, radius
 layout(std430, binding = 4) writeonly buffer Tangents { vec4 tangents[]; };  // unit tangent, fraction of the length
 
-vec3 control_at(uint k) { return controls[k].xyz; }
+vec3 control_at(uint k) { return texelFetch(controls, int(k)).xyz; }
 #include "strands/spline/place.glsl"
 
 void main() {
   const uint strand = invocation();
   if (strand >= strands) return;
-  const Row row = rows[strand];
+  const Row row = rows[first_strand + strand];
   const vec3 offset = offset_now(row), root = placed_at(row, offset, 0u), tip = placed_at(row, offset, last_vertex(row));
   float whole = 0.0;
   vec3 before = root;

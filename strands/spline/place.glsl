@@ -8,7 +8,12 @@ struct Row {
   uint unused0, unused1;
 };
 layout(std430, binding = 0) readonly buffer Rows { Row rows[]; };
-layout(push_constant) uniform Constants { vec4 turn[3]; uint strands; uint size; float since; uint parts; };
+layout(push_constant) uniform Constants {
+  vec4 turn[3];
+  uint first_strand, strands, size;  // of this dispatch; vertices of each
+  float since;
+  uint parts;
+};
 
 // The vector turned as the shortest turn takes one unit vector to another; as it is where they are opposite.
 vec3 turned(vec3 v, vec3 from, vec3 to) {

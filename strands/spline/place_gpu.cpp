@@ -27,7 +27,7 @@ static_assert(sizeof(Row) == 48);
 
 struct Constants {
   glm::vec4 turn[3];
-  std::uint32_t strands, size;
+  std::uint32_t first_strand, strands, size;
   float since;
   std::uint32_t parts;
 };
@@ -77,10 +77,24 @@ std::vector<std::uint32_t> first_vertices(std::size_t strands, std::size_t verti
   return firsts;
 }
 
+gpu::Buffer StrandPart::of(const gpu::Buffer& all) const {
+  const std::size_t strand_bytes = std::size_t(vertices_per_strand) * bytes;
+  return gpu::part_of(all, first * strand_bytes, count * strand_bytes);
+}
+
+std::vector<StrandPart> strand_parts(const gpu::DeviceInfo& device, std::uint32_t strands,
+                                     std::uint32_t vertices_per_strand, std::uint32_t bytes) {
+  const std::uint32_t most = strands_of_a_part(device.max_storage_buffer_bytes, vertices_per_strand, bytes);
+  std::vector<StrandPart> parts;
+  for (std::uint32_t first = 0; first < strands; first += most)
+    parts.push_back({first, std::min(most, strands - first), vertices_per_strand, bytes});
+  return parts;
+}
+
 Result<void> StrandPlacer::upload(gpu::Device& device, const Groom& control, std::span<const PlacedStrand> strands) {
   const std::size_t bytes = std::size_t(strands_) * size_ * sizeof(glm::vec4);
-  CUTICLE_ASSIGN(vertices_, device.make_buffer(bytes));
-  CUTICLE_ASSIGN(tangents_, device.make_buffer(bytes));
+  CUTICLE_ASSIGN(vertices_, device.make_texel_buffer(bytes));
+  CUTICLE_ASSIGN(tangents_, device.make_texel_buffer(bytes));
   CUTICLE_ASSIGN(rows_, gpu::make_buffer_from<Row>(device, rows_of(control, strands)));
   CUTICLE_ASSIGN(radii_, gpu::make_buffer_from<float>(device, control.radii));
   CUTICLE_ASSIGN(segments_, gpu::make_buffer_from<std::uint32_t>(device, first_vertices(strands_, size_)));
@@ -88,10 +102,11 @@ Result<void> StrandPlacer::upload(gpu::Device& device, const Groom& control, std
 }
 
 Result<void> StrandPlacer::make_kernels(gpu::Device& device, bool moves) {
-  CUTICLE_ASSIGN(place_, device.make_kernel(place_comp, {5, 0, sizeof(Constants)}));
+  CUTICLE_ASSIGN(place_, device.make_kernel(place_comp, {5, 0, sizeof(Constants), {}, {drawn_texels(1)}}));
   if (!moves) return {};
-  CUTICLE_ASSIGN(place_velocity_, device.make_kernel(place_velocity_comp, {4, 0, sizeof(Constants)}));
-  CUTICLE_ASSIGN(velocities_, device.make_buffer(vertices_.size()));
+  CUTICLE_ASSIGN(place_velocity_, device.make_kernel(place_velocity_comp,
+                                                     {4, 0, sizeof(Constants), {}, {drawn_texels(1), drawn_texels(2)}}));
+  CUTICLE_ASSIGN(velocities_, device.make_texel_buffer(vertices_.size()));
   return {};
 }
 
@@ -103,6 +118,7 @@ Result<std::unique_ptr<StrandPlacer>> StrandPlacer::create(std::shared_ptr<gpu::
   placer->strands_ = std::uint32_t(strands.size());
   placer->size_ = std::uint32_t(cut_size(longest_strand(control), parts));
   placer->parts_ = parts;
+  placer->written_ = strand_parts(device->info(), placer->strands_, placer->size_);
   CUTICLE_TRY(placer->upload(*device, control, strands));
   CUTICLE_TRY(placer->make_kernels(*device, moves));
   return placer;
@@ -110,11 +126,14 @@ Result<std::unique_ptr<StrandPlacer>> StrandPlacer::create(std::shared_ptr<gpu::
 
 Result<void> StrandPlacer::record(gpu::Commands& commands, const gpu::Buffer& control_positions,
                                   const glm::mat3& turn) {
-  const Constants constants = with_turn(turn, {{}, strands_, size_, 0, parts_});
-  const gpu::Groups groups = gpu::groups_for(strands_);
   commands.begin_pass("place_strands");
-  commands.dispatch(place_, {&rows_, &control_positions, &radii_, &vertices_, &tangents_}, {}, gpu::bytes_of(constants),
-                    groups.x, groups.y);
+  for (const StrandPart& part : written_) {
+    const Constants constants = with_turn(turn, {{}, part.first, part.count, size_, 0, parts_});
+    const gpu::Groups groups = gpu::groups_for(part.count);
+    const gpu::Buffer vertices = part.of(vertices_), tangents = part.of(tangents_);
+    commands.dispatch(place_, {&rows_, &control_positions, &radii_, &vertices, &tangents}, {}, gpu::bytes_of(constants),
+                      groups.x, groups.y);
+  }
   commands.end_pass();
   return {};
 }
@@ -122,11 +141,14 @@ Result<void> StrandPlacer::record(gpu::Commands& commands, const gpu::Buffer& co
 Result<void> StrandPlacer::record_velocities(gpu::Commands& commands, const gpu::Buffer& control_positions,
                                              const ControlMotion& motion, const glm::mat3& turn) {
   CUTICLE_EXPECT(velocities_ && motion.values, "strands placed for velocities are told them");
-  const Constants constants = with_turn(turn, {{}, strands_, size_, motion.since, parts_});
-  const gpu::Groups groups = gpu::groups_for(strands_);
   commands.begin_pass("place_velocities");
-  commands.dispatch(place_velocity_, {&rows_, &control_positions, motion.values, &velocities_}, {},
-                    gpu::bytes_of(constants), groups.x, groups.y);
+  for (const StrandPart& part : written_) {
+    const Constants constants = with_turn(turn, {{}, part.first, part.count, size_, motion.since, parts_});
+    const gpu::Groups groups = gpu::groups_for(part.count);
+    const gpu::Buffer velocities = part.of(velocities_);
+    commands.dispatch(place_velocity_, {&rows_, &control_positions, motion.values, &velocities}, {},
+                      gpu::bytes_of(constants), groups.x, groups.y);
+  }
   commands.end_pass();
   return {};
 }

@@ -5,14 +5,15 @@
 #include "strands/tangent.glslh"
 
 layout(local_size_x = 64) in;
-layout(std430, binding = 1) readonly buffer Controls { vec4 controls[]; };       // world positions
-layout(std430, binding = 2) readonly buffer Motion { vec4 motion[]; };           // velocities, or positions before
-layout(std430, binding = 3) writeonly buffer Velocities { vec4 velocities[]; };  // m/s
+layout(binding = 1) uniform samplerBuffer controls;                              // world positions
+layout(binding = 2) uniform samplerBuffer motion;                                // velocities, or positions before
+layout(std430, binding = 3) writeonly buffer Velocities { vec4 velocities[]; };  // of this dispatch's strands, m/s
 
 const float k_moment = 1e-3;  // seconds: hair moves a small part of a segment, and many rounding errors
 float moment;                 // along the velocities
 
-vec3 control_at(uint k) { return controls[k].xyz + moment * motion[k].xyz; }
+vec3 motion_at(uint k) { return texelFetch(motion, int(k)).xyz; }
+vec3 control_at(uint k) { return texelFetch(controls, int(k)).xyz + moment * motion_at(k); }
 #include "strands/spline/place.glsl"
 
 // Of a follow hair's offset: its turn is the guide's first segment's.
@@ -26,13 +27,13 @@ vec3 offset_velocity(Row row) {
 }
 
 vec3 velocity_of(uint vertex) {
-  return since > 0.0 ? (controls[vertex].xyz - motion[vertex].xyz) / since : motion[vertex].xyz;
+  return since > 0.0 ? (texelFetch(controls, int(vertex)).xyz - motion_at(vertex)) / since : motion_at(vertex);
 }
 
 void main() {
   const uint strand = invocation();
   if (strand >= strands) return;
-  const Row row = rows[strand];
+  const Row row = rows[first_strand + strand];
   const vec3 turning = offset_velocity(row);
   for (uint i = 0u; i < size; ++i) {
     const Place at = place_of(row, i);

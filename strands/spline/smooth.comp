@@ -6,11 +6,11 @@
 
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Offsets { uint offsets[]; };       // hairs + 1
-layout(std430, binding = 1) readonly buffer Controls { vec4 controls[]; };     // world positions
+layout(binding = 1) uniform samplerBuffer controls;                            // world positions
 layout(std430, binding = 2) writeonly buffer Smoothed { vec4 smoothed[]; };    // hairs x vertices: position, fraction
 layout(push_constant) uniform Constants { uint hairs; uint vertices; };
 
-vec3 control_at(uint k) { return controls[k].xyz; }
+vec3 control_at(uint k) { return texelFetch(controls, int(k)).xyz; }
 #include "strands/spline/smooth.glsl"
 
 void main() {

@@ -21,9 +21,13 @@ struct SmoothVelocityConstants {
   SmoothConstants size;
   float since;
 };
+/// Of a part of the drawn strands.
 struct InterpolateConstants {
-  std::uint32_t strands, vertices, run;
+  std::uint32_t first_strand, strands, vertices, run;
   float radius, tip_radius;
+};
+struct InterpolateVelocityConstants {
+  std::uint32_t first_strand, strands, vertices;
 };
 
 Error bad_strand(std::size_t strand, std::string_view what) {
@@ -63,6 +67,7 @@ struct StrandGenerator::Impl {
   gpu::Kernel smooth, interpolate, smooth_velocity, interpolate_velocity;
   gpu::Buffer offsets, smoothed, hairs_of_strand, weights, vertices, tangents, segments;
   gpu::Buffer smoothed_velocities, velocities;  ///< empty unless asked for
+  std::vector<StrandPart> written;              ///< a dispatch each
 
   Result<void> make_kernels();
   Result<void> upload(const StrandGeneratorInput& input);
@@ -71,8 +76,7 @@ struct StrandGenerator::Impl {
 };
 
 Result<void> StrandGenerator::Impl::make_kernels() {
-  CUTICLE_ASSIGN(
-      smooth, device->make_kernel(smooth_comp, {.storage_buffers = 3, .push_constant_bytes = sizeof(SmoothConstants)}));
+  CUTICLE_ASSIGN(smooth, device->make_kernel(smooth_comp, {3, 0, sizeof(SmoothConstants), {}, {drawn_texels(1)}}));
   CUTICLE_ASSIGN(interpolate,
                  device->make_kernel(interpolate_comp,
                                      {.storage_buffers = 5, .push_constant_bytes = sizeof(InterpolateConstants)}));
@@ -89,17 +93,21 @@ Result<void> StrandGenerator::Impl::upload(const StrandGeneratorInput& input) {
 Result<void> StrandGenerator::Impl::make_outputs() {
   const std::size_t count = strands * vertices_per_strand;
   CUTICLE_ASSIGN(smoothed, device->make_buffer(hairs * vertices_per_strand * sizeof(glm::vec4)));
-  CUTICLE_ASSIGN(vertices, device->make_buffer(count * sizeof(glm::vec4)));
-  CUTICLE_ASSIGN(tangents, device->make_buffer(count * sizeof(glm::vec4)));
+  CUTICLE_ASSIGN(vertices, device->make_texel_buffer(count * sizeof(glm::vec4)));
+  CUTICLE_ASSIGN(tangents, device->make_texel_buffer(count * sizeof(glm::vec4)));
+  written = strand_parts(device->info(), std::uint32_t(strands), std::uint32_t(vertices_per_strand));
   CUTICLE_ASSIGN(segments, gpu::make_buffer_from<std::uint32_t>(*device, first_vertices(strands, vertices_per_strand)));
   return {};
 }
 
 Result<void> StrandGenerator::Impl::make_velocities() {
   CUTICLE_ASSIGN(smoothed_velocities, device->make_buffer(smoothed.size()));
-  CUTICLE_ASSIGN(velocities, device->make_buffer(vertices.size()));
-  CUTICLE_ASSIGN(smooth_velocity, device->make_kernel(smooth_velocity_comp, {4, 0, sizeof(SmoothVelocityConstants)}));
-  CUTICLE_ASSIGN(interpolate_velocity, device->make_kernel(interpolate_velocity_comp, {4, 0, sizeof(SmoothConstants)}));
+  CUTICLE_ASSIGN(velocities, device->make_texel_buffer(vertices.size()));
+  CUTICLE_ASSIGN(smooth_velocity,
+                 device->make_kernel(smooth_velocity_comp,
+                                     {4, 0, sizeof(SmoothVelocityConstants), {}, {drawn_texels(1), drawn_texels(2)}}));
+  CUTICLE_ASSIGN(interpolate_velocity,
+                 device->make_kernel(interpolate_velocity_comp, {4, 0, sizeof(InterpolateVelocityConstants)}));
   return {};
 }
 
@@ -149,14 +157,18 @@ Result<void> StrandGenerator::record_smooth(gpu::Commands& commands, const gpu::
 }
 
 Result<void> StrandGenerator::record_interpolate(gpu::Commands& commands) {
-  const InterpolateConstants constants{std::uint32_t(impl_->strands), std::uint32_t(impl_->vertices_per_strand),
-                                       std::uint32_t(impl_->run), impl_->radius, impl_->radius * (1 - impl_->taper)};
   const std::size_t runs = (impl_->vertices_per_strand + impl_->run - 1) / impl_->run;
-  const gpu::Groups groups = gpu::groups_for(impl_->strands * runs);
   commands.begin_pass("interpolate_strands");
-  commands.dispatch(impl_->interpolate,
-                    {&impl_->smoothed, &impl_->hairs_of_strand, &impl_->weights, &impl_->vertices, &impl_->tangents},
-                    {}, gpu::bytes_of(constants), groups.x, groups.y);
+  for (const StrandPart& part : impl_->written) {
+    const InterpolateConstants constants{
+        part.first,    part.count, part.vertices_per_strand, std::uint32_t(impl_->run),
+        impl_->radius, impl_->radius * (1 - impl_->taper)};
+    const gpu::Groups groups = gpu::groups_for(part.count * runs);
+    const gpu::Buffer vertices = part.of(impl_->vertices), tangents = part.of(impl_->tangents);
+    commands.dispatch(impl_->interpolate,
+                      {&impl_->smoothed, &impl_->hairs_of_strand, &impl_->weights, &vertices, &tangents}, {},
+                      gpu::bytes_of(constants), groups.x, groups.y);
+  }
   commands.end_pass();
   return {};
 }
@@ -166,16 +178,19 @@ Result<void> StrandGenerator::record_velocities(gpu::Commands& commands, const g
   CUTICLE_EXPECT(impl_->velocities && motion.values, "a generator made for velocities is told them");
   const auto per_strand = std::uint32_t(impl_->vertices_per_strand);
   const SmoothVelocityConstants smooth{{std::uint32_t(impl_->hairs), per_strand}, motion.since};
-  const SmoothConstants interpolate{std::uint32_t(impl_->strands), per_strand};
-  const gpu::Groups controls = gpu::groups_for(impl_->hairs * impl_->vertices_per_strand),
-                    drawn = gpu::groups_for(impl_->strands * impl_->vertices_per_strand);
+  const gpu::Groups controls = gpu::groups_for(impl_->hairs * impl_->vertices_per_strand);
   commands.begin_pass("interpolate_velocities");
   commands.dispatch(impl_->smooth_velocity,
                     {&impl_->offsets, &control_positions, motion.values, &impl_->smoothed_velocities}, {},
                     gpu::bytes_of(smooth), controls.x, controls.y);
-  commands.dispatch(impl_->interpolate_velocity,
-                    {&impl_->smoothed_velocities, &impl_->hairs_of_strand, &impl_->weights, &impl_->velocities}, {},
-                    gpu::bytes_of(interpolate), drawn.x, drawn.y);
+  for (const StrandPart& part : impl_->written) {
+    const InterpolateVelocityConstants interpolate{part.first, part.count, per_strand};
+    const gpu::Groups drawn = gpu::groups_for(std::size_t(part.count) * per_strand);
+    const gpu::Buffer velocities = part.of(impl_->velocities);
+    commands.dispatch(impl_->interpolate_velocity,
+                      {&impl_->smoothed_velocities, &impl_->hairs_of_strand, &impl_->weights, &velocities}, {},
+                      gpu::bytes_of(interpolate), drawn.x, drawn.y);
+  }
   commands.end_pass();
   return {};
 }

@@ -17,7 +17,8 @@ struct StrandGeneratorInput {
   bool moves = false;                                   ///< whether there is room for velocities
 };
 /// N4 and N5 on the device: the passes "smooth_strands" (one thread per vertex of a smoothed control hair) and
-/// "interpolate_strands" (one thread per run of drawn vertices, tangents included), one dispatch each. The formulas
+/// "interpolate_strands" (one thread per run of drawn vertices, tangents included), one dispatch each, the latter for each
+/// part of the strands (drawn_parts.h). The formulas
 /// are those of bezier.glslh and tangent.glslh, so that smooth(), interpolate() and tangents() on the CPU agree within
 /// float rounding (strand_generator_test). Control positions: vec4 per control vertex, world metres, the fourth
 /// component unused.
@@ -25,7 +26,7 @@ class StrandGenerator : public DrawnStrands {
  public:
   /// Errors: bad_input names the strand whose hair or weight is wrong, or vertices_per_strand
   /// outside 2..k_max_vertices; out_of_memory names the device's limit where the drawn vertices (16 bytes each) pass
-  /// its largest buffer.
+  /// its largest buffer of texels.
   static Result<std::unique_ptr<StrandGenerator>> create(std::shared_ptr<gpu::Device> device,
                                                          const StrandGeneratorInput& input);
   ~StrandGenerator() override;
@@ -37,7 +38,7 @@ class StrandGenerator : public DrawnStrands {
   }
   Result<void> record_smooth(gpu::Commands& commands, const gpu::Buffer& control_positions);
   Result<void> record_interpolate(gpu::Commands& commands);
-  /// F2: how the drawn vertices move, in two dispatches named "interpolate_velocities": the derivative by time
+  /// F2: how the drawn vertices move, in dispatches named "interpolate_velocities": the derivative by time
   /// of record_smooth and record_interpolate, along the control vertices' velocities, or the mean since they were where
   /// they were (strand_generator_test: 5e-4 m/s off a difference of positions where vertices move at up to .7). Needs
   /// StrandGeneratorInput::moves.

@@ -7,8 +7,8 @@
 
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Offsets { uint offsets[]; };    // hairs + 1
-layout(std430, binding = 1) readonly buffer Controls { vec4 controls[]; };  // world positions
-layout(std430, binding = 2) readonly buffer Motion { vec4 motion[]; };      // velocities, or positions before
+layout(binding = 1) uniform samplerBuffer controls;                         // world positions
+layout(binding = 2) uniform samplerBuffer motion;                           // velocities, or positions before
 layout(std430, binding = 3) writeonly buffer Smoothed { vec4 smoothed[]; };  // hairs x vertices: velocity
 layout(push_constant) uniform Constants { uint hairs; uint vertices; float since; };
 
@@ -16,8 +16,9 @@ const float k_moment = 1e-3;  // seconds: hair moves a small part of a segment, 
 float moment;                 // along the velocities; with positions before: 0 now, else then
 
 vec3 control_at(uint k) {
-  if (since > 0.0) return moment == 0.0 ? controls[k].xyz : motion[k].xyz;
-  return controls[k].xyz + moment * motion[k].xyz;
+  const vec3 now = texelFetch(controls, int(k)).xyz, moves = texelFetch(motion, int(k)).xyz;
+  if (since > 0.0) return moment == 0.0 ? now : moves;
+  return now + moment * moves;
 }
 #include "strands/spline/smooth.glsl"
 

@@ -7,7 +7,7 @@
 namespace cuticle::study {
 namespace {
 
-constexpr int k_drawn_vertices = 8;  ///< of a strand: a million fill software Vulkan's largest buffer
+constexpr int k_drawn_vertices = 16;  ///< of a strand
 
 Result<scene::Scene> demo_head(const GrowthRequest& request, int strands) {
   const std::string text = fmt::format(
@@ -50,6 +50,7 @@ void add_frame(Group& group, const Quickest& best, int strands) {
   }
   add_time(group, "all passes", strands, 1e-3 * sum);
   add_time(group, "submissions", strands, 1e-3 * best.frame.cost.wall_ms);
+  add_time(group, "read back", strands, 1e-3 * best.frame.read_back_ms);
   add_time(group, "clock", strands, 1e-3 * best.frame.clock_ms);
   add_time(group, "processor", strands, best.processor);
 }

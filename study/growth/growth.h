@@ -17,15 +17,15 @@ struct GrowthRequest {
   std::vector<std::string>* notes;  ///< what was refused, and why
 };
 
-/// A frame of the demo head by 'tiles', with deep opacity maps and two lights, strands of 8 vertices, the quickest by
+/// A frame of the demo head by 'tiles', with deep opacity maps and two lights, strands of 16 vertices, the quickest by
 /// the clock: each pass by its timestamps; "all passes", their sum; "submissions", from handing work to the device to
-/// its end, all of the frame's; "clock", from asking for the frame to its picture in memory; "processor", of all
-/// threads. Where a size is refused it is left out, with a note.
+/// its end, all of the frame's; "read back", from there to the picture in memory; "clock", from asking for the frame to
+/// that; "processor", of all threads. Where a size is refused it is left out, with a note.
 Result<Group> frame_growth(const std::shared_ptr<gpu::Device>& device, const GrowthRequest& request,
                            Progress& progress);
 /// A frame of 1/60 s on the CPU by every solver, strands of 16 vertices that hang in gravity: processor time.
 Result<Group> solver_growth(const GrowthRequest& request, Progress& progress);
-/// Map and lookups at all vertices by every method that has passes on the device, with its defaults, strands of 8
+/// Map and lookups at all vertices by every method that has passes on the device, with its defaults, strands of 16
 /// vertices: on software Vulkan processor time, else by the clock.
 Result<Group> shadow_growth(const std::shared_ptr<gpu::Device>& device, const GrowthRequest& request,
                             Progress& progress);

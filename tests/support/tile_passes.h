@@ -43,7 +43,7 @@ class Tiles {
         &vertices_, &segments_, std::uint32_t(drawing.vertices.size()), std::uint32_t(drawing.segments.size()), {}};
     resources_.edit<render::DrawnHair>().tangents = &tangents_;
     resources_.edit<render::shade_strands::StrandColors>().values = &colors_;
-    resources_.edit<render::DrawnHair>().vertices_per_strand = 2;
+    resources_.edit<render::DrawnHair>().vertices_per_strand = drawing.vertices_per_strand;
     resources_.edit<render::DrawnHair>().segment_parts = drawing.segment_parts;
     resources_.edit<render::Targets>().color = resources_.edit<render::Targets>().resolved = &color_;
     resources_.edit<render::Targets>().depth = &depth_;

@@ -5,11 +5,12 @@ layout(local_size_x = 64) in;
 #include "render/visibility/seen.glsl"
 #include "render/visibility/segment_share.glsl"
 
-layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
-layout(std430, binding = 1) readonly buffer Tangents { vec4 tangents[]; };
+#define VERTICES_BINDING 0
+#define TANGENTS_BINDING 1
+#include "strands/spline/drawn.glsl"
 layout(std430, binding = 2) readonly buffer Transmittance { float transmittance[]; };
 layout(std430, binding = 3) writeonly buffer Aovs { float aovs[]; };  // k_channels of aovs.h
-layout(std430, binding = 4) readonly buffer Velocities { vec4 velocities[]; };
+layout(binding = 4) uniform samplerBuffer velocities;
 layout(std430, binding = 5) writeonly buffer SeenVelocities { float seen_velocities[]; };  // three a pixel
 layout(std430, binding = 6) readonly buffer OfSecond { float of_second[]; };  // transmittance of other opacities
 layout(std430, binding = 7) readonly buffer OfThird { float of_third[]; };
@@ -43,12 +44,12 @@ void write_aovs(uint pixel) {
   vec3 velocity = vec3(0.0);
   float values[k_channels] = float[](0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, float(own.cost));
   if (own.first != own.last) {
-    vec3 from = vertices[own.first].xyz, to = vertices[own.last].xyz;
+    vec3 from = drawn_vertex(own.first).xyz, to = drawn_vertex(own.last).xyz;
     vec2 middle = vec2(pixel % resolution.x, pixel / resolution.x) + 0.5;
     float share = share_at(world_to_clip, middle, vec2(resolution), from, to);
-    vec3 tangent = normalize(mix(tangents[own.first].xyz, tangents[own.last].xyz, share));
+    vec3 tangent = normalize(mix(drawn_tangent(own.first).xyz, drawn_tangent(own.last).xyz, share));
     float reached = shadowed == 0u ? 1.0 : mix(transmitted(own.first), transmitted(own.last), share);
-    if (moves != 0u) velocity = mix(velocities[own.first].xyz, velocities[own.last].xyz, share);
+    if (moves != 0u) velocity = mix(texelFetch(velocities, int(own.first)).xyz, texelFetch(velocities, int(own.last)).xyz, share);
     values = float[]((world_to_clip * vec4(mix(from, to, share), 1.0)).w, tangent.x, tangent.y, tangent.z,
                      float(own.first / vertices_per_strand + 1u), own.coverage, reached, float(own.samples),
                      float(own.cost));

@@ -4,6 +4,7 @@
 #include "render/pass_gpu.h"
 #include "render/strand_shading/frame_gpu.h"
 #include "render/visibility/drawn_part_gpu.h"
+#include "strands/spline/drawn_gpu.h"
 
 #include <aovs_comp.spv.h>
 #include <aovs_many_comp.spv.h>
@@ -71,7 +72,7 @@ class Aovs : public GpuPass {
     const auto reached = [&](std::size_t k) {
       const bool is_there =
           k < transmittance_of(resources).channels.count && !transmittance_of(resources).reached.empty();
-      return is_there ? transmittance_of(resources).reached[k] : tangents;
+      return is_there ? transmittance_of(resources).reached[k] : &values_;
     };
     return {hair.strands.vertices,
             tangents,
@@ -94,8 +95,10 @@ Result<gpu::Kernel> make_kernel(gpu::Device& device, const Resources& resources)
   const int samples = seen ? seen->samples() : 1;
   std::vector<std::uint32_t> constants = with_channels({std::uint32_t(samples)}, transmittance_of(resources).channels);
   constants.push_back(std::uint32_t(resources.get<Targets>().supersampling));
-  if (!seen) return device.make_kernel(aovs_comp, {9, 0, sizeof(Push), constants});
-  const gpu::ShaderInterface interface { 8, 1, sizeof(Push), constants };
+  const std::vector<gpu::TexelBinding> texels = {strands::drawn_texels(0), strands::drawn_texels(1),
+                                                 strands::drawn_texels(4)};
+  if (!seen) return device.make_kernel(aovs_comp, {9, 0, sizeof(Push), constants, texels});
+  const gpu::ShaderInterface interface { 8, 1, sizeof(Push), constants, texels };
   return samples > 1 ? device.make_kernel(aovs_many_comp, interface) : device.make_kernel(aovs_one_comp, interface);
 }
 

@@ -18,5 +18,4 @@ layout(std430, set = 0, binding = 3) readonly buffer Frame {
   LightRow lights[k_max_lights];
 };
 layout(std430, set = 0, binding = 4) buffer Shaded { uint shaded_count[]; };
-layout(std430, set = 0, binding = 5) readonly buffer Transmittance { float transmittance[]; };
 layout(set = 0, binding = 7) uniform sampler2D atlas_texture;  // base, shift, mask, alpha

@@ -153,7 +153,8 @@ class Cards : public GpuPass {
         .textures = 1,
         .specialization = with_channels({settings.is_opaque ? 1u : 0u, std::uint32_t(steps_.size()), counts_ ? 1u : 0u,
                                          transmittance_of(resources).reached.empty() ? 0u : 1u},
-                                        transmittance_of(resources).channels)};
+                                        transmittance_of(resources).channels),
+        .texels = {GatheredTransmittance::texels(5)}};
     for (std::uint32_t constant : {std::uint32_t(scattered_by_), std::uint32_t(is_shadowed_by_hair(resources)),
                                    std::uint32_t(resources.find<surface_shadow::Maps>() != nullptr)})
       description.interface.specialization.push_back(constant);

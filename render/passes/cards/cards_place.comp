@@ -6,11 +6,12 @@
 #include "strands/spline/frame.glslh"
 
 layout(local_size_x = 64) in;
-layout(std430, set = 0, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
+#define VERTICES_BINDING 0
+#include "strands/spline/drawn.glsl"
 layout(std430, set = 0, binding = 1) readonly buffer Rests { CardRest rests[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Followers { uint followers[]; };
 layout(std430, set = 0, binding = 3) writeonly buffer Placed { PlacedRow placed[]; };
-layout(std430, set = 0, binding = 4) readonly buffer Transmittance { float transmittance[]; };  // per drawn vertex
+layout(set = 0, binding = 4) uniform samplerBuffer transmittance;                         // per drawn vertex
 layout(std430, set = 0, binding = 5) writeonly buffer Reached { float reached[]; };             // per row
 layout(std430, set = 0, binding = 6) readonly buffer Visibility { float visibility[]; };        // per drawn vertex
 layout(push_constant) uniform Push {
@@ -39,14 +40,14 @@ vec3 mean_of_followers(uvec2 list, float v) {
   vec3 sum = vec3(0.0);
   for (uint k = list.x; k < list.y; ++k) {
     const uint vertex = followers[k] * vertices_per_strand + at.begin;
-    sum += mix(vertices[vertex].xyz, vertices[vertex + 1u].xyz, at.share);
+    sum += mix(drawn_vertex(vertex).xyz, drawn_vertex(vertex + 1u).xyz, at.share);
   }
   return sum / float(list.y - list.x);
 }
 
 // Of shadow k: first what arrives, then what of a light passes surfaces.
 float left_at(uint k, uint vertex) {
-  return k < shadows ? transmittance[k * vertex_count + vertex] : visibility[(k - shadows) * vertex_count + vertex];
+  return k < shadows ? texelFetch(transmittance, int(k * vertex_count + vertex)).r : visibility[(k - shadows) * vertex_count + vertex];
 }
 // What of it is left at them there, in the mean.
 float mean_left(uvec2 list, float v, uint shadow) {

@@ -7,6 +7,7 @@ layout(constant_id = 0) const bool is_opaque = false;
 layout(constant_id = 1) const uint step_number = 0u;
 layout(constant_id = 2) const bool counts = false;
 layout(constant_id = 3) const bool is_shadowed = false;
+#define TRANSMITTANCE_BINDING 5
 #define CHANNEL_CONSTANT 4
 #include "render/strand_shading/transmittance.glsl"
 #include "render/strand_shading/ambient.glsl"
@@ -56,7 +57,7 @@ float past_surfaces(uint light) {
   if (!surfaces_cast) return 1.0;
   const Rows rows = rows_at_pixel();
   const uint first = (uint(diffuse.w) * k_different + light) * vertex_count;
-  return mix(transmittance[first + rows.row], transmittance[first + rows.next], rows.share);
+  return mix(transmittance_at(first + rows.row), transmittance_at(first + rows.next), rows.share);
 }
 
 // Light scattered many times, as strands have it.

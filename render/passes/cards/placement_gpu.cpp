@@ -7,6 +7,7 @@
 
 #include "gpu/groups.h"
 #include "render/passes/surface_shadow/surface_shadow_gpu.h"
+#include "strands/spline/drawn_gpu.h"
 
 #include <cards_place_comp.spv.h>
 
@@ -91,7 +92,10 @@ Result<Placement> Placement::make(gpu::Device& device, const Resources& resource
     CUTICLE_ASSIGN(placement.transmittance_, GatheredTransmittance::make(device, resources));
   }
   CUTICLE_ASSIGN(placement.kernel_,
-                 device.make_kernel(cards_place_comp, {.storage_buffers = 7, .push_constant_bytes = sizeof(Push)}));
+                 device.make_kernel(cards_place_comp, {.storage_buffers = 7,
+                                                       .push_constant_bytes = sizeof(Push),
+                                                       .texels = {strands::drawn_texels(0),
+                                                                  GatheredTransmittance::texels(4)}}));
   return placement;
 }
 

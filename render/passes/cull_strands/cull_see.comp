@@ -8,7 +8,8 @@ layout(local_size_x = 64) in;
 #include "render/passes/cull_strands/cull_push.glsl"
 #include "render/visibility/segment_ends.glsl"
 
-layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
+#define VERTICES_BINDING 0
+#include "strands/spline/drawn.glsl"
 layout(std430, binding = 1) readonly buffer TileDepth { float tile_depth[]; };
 layout(std430, binding = 2) buffer Seen { uint seen[]; };  // a bit per strand
 layout(std430, binding = 3) buffer Lost { uint lost_segments; };
@@ -47,9 +48,9 @@ void main() {
   if (strand >= strand_count) return;
   bool shows = false;
   uint lost = 0u;
-  vec4 a = vertices[vertex_of(strand, 0u)];
+  vec4 a = drawn_vertex(vertex_of(strand, 0u));
   for (uint k = 0u; k < drawn_segments; ++k) {
-    const vec4 b = vertices[vertex_of(strand, k + 1u)];
+    const vec4 b = drawn_vertex(vertex_of(strand, k + 1u));
     if (!is_finite(a) || !is_finite(b)) ++lost;
     else if (!shows) shows = may_show(a, b);
     a = b;

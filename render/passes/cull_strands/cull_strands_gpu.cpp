@@ -9,6 +9,7 @@
 #include "render/passes/lines/line_width_gpu.h"
 #include "render/strand_shading/frame_gpu.h"
 #include "render/visibility/drawn_part_gpu.h"
+#include "strands/spline/drawn_gpu.h"
 
 #include <cull_depth_many_comp.spv.h>
 #include <cull_depth_one_comp.spv.h>
@@ -118,7 +119,7 @@ Result<Kernels> make_kernels(gpu::Device& device, std::uint32_t samples) {
   Kernels kernels;
   CUTICLE_ASSIGN(kernels.depth, samples == 1 ? device.make_kernel(cull_depth_one_comp, {1, 1, bytes})
                                              : device.make_kernel(cull_depth_many_comp, {1, 1, bytes, {samples}}));
-  CUTICLE_ASSIGN(kernels.see, device.make_kernel(cull_see_comp, {4, 0, bytes}));
+  CUTICLE_ASSIGN(kernels.see, device.make_kernel(cull_see_comp, {4, 0, bytes, {}, {strands::drawn_texels(0)}}));
   CUTICLE_ASSIGN(kernels.list, device.make_kernel(cull_list_comp, {3, 0, bytes}));
   return kernels;
 }

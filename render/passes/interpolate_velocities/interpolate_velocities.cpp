@@ -2,7 +2,6 @@
 
 #include "render/frame.h"
 #include "render/inputs.h"
-#include "render/shading.h"
 
 namespace cuticle::render::interpolate_velocities {
 
@@ -25,7 +24,9 @@ const Pass& entry() {
                                 .demands = k_demands,
                                 .systems = k_systems,
                                 .after = k_after});
-        made.entry.dispatches = always<2>;
+        made.entry.dispatches = [](const registry::ParameterValues&, const registry::FrameShape& shape) {
+          return 1 + dispatches_of_drawn(shape);  // smoothed control hairs first
+        };
         return made;
       }(),
       k_uses);

@@ -3,9 +3,9 @@
 #extension GL_GOOGLE_include_directive : require
 #include "render/strand_shading/frame.glsl"
 
-layout(set = 0, binding = 8) uniform sampler2D table_first;
-layout(set = 0, binding = 9) uniform sampler2D table_second;
-layout(set = 0, binding = 10) uniform sampler2D table_rest;
+layout(set = 0, binding = 10) uniform sampler2D table_first;
+layout(set = 0, binding = 11) uniform sampler2D table_second;
+layout(set = 0, binding = 12) uniform sampler2D table_rest;
 layout(constant_id = 6) const uint k_mip_levels = 0u;  // 1: of the tables
 #define MIP_LEVELS k_mip_levels
 #define LAYOUT_CONSTANT 10

@@ -10,6 +10,7 @@
 #include "render/strand_shading/shading_inputs_gpu.h"
 #include "render/visibility/drawn_part_gpu.h"
 #include "strands/packing/packing_gpu.h"
+#include "strands/spline/drawn_gpu.h"
 
 #include <lines_coloured_frag.spv.h>
 #include <lines_coloured_seen_frag.spv.h>
@@ -38,8 +39,11 @@ void set_shaders(gpu::GraphicsDescription& description, const Resources& resourc
   constants.push_back(cull_strands::is_listed(resources));
   constants.push_back(std::uint32_t(resources.get<Targets>().color->samples()));
   constants.push_back(resources.get<FibreMaterial>().evaluates_directly ? 1 : 0);
-  description.interface = {8, 3, 0,
-                           strand_shading::with_layout(std::move(constants), bake_tables::table_set_of(resources))};
+  description.interface = {10,
+                           3,
+                           0,
+                           strand_shading::with_layout(std::move(constants), bake_tables::table_set_of(resources)),
+                           {strands::drawn_texels(0), strands::drawn_texels(1), GatheredTransmittance::texels(2)}};
 }
 
 class Lines : public GpuPass {
@@ -71,14 +75,17 @@ class Lines : public GpuPass {
     const float width = widened(line_width(resources), part.width);
     frame->opacity_of_radius = opacity_of_radius(resources, part, width);
     CUTICLE_ASSIGN(const gpu::GraphicsPipeline* pipeline, pipeline_of(resources, width));
-    const DrawnBuffers buffers = packed_or_full(commands, resources);
-    frame->packed_vertices = buffers.packed ? 1 : 0;
+    frame->packed_vertices = packing_ ? 1 : 0;
     CUTICLE_TRY(inputs_.record(commands, resources));
+    const DrawnHair& hair = resources.get<DrawnHair>();
+    if (packing_) packing_->record(commands, *hair.strands.vertices, *hair.tangents);
     begin(commands, resources);
     const dual_scattering::Inputs dual = dual_scattering::inputs_of(resources, inputs_.frame());
     cull_strands::draw(commands, resources, *pipeline,
-                       {buffers.vertices, buffers.second, &inputs_.transmittance(), &inputs_.frame(), dual.terms,
-                        dual.visibility, &cull_strands::list_of(resources, inputs_.frame()), &inputs_.scattered()},
+                       {hair.strands.vertices, hair.tangents, &inputs_.transmittance(), &inputs_.frame(), dual.terms,
+                        dual.visibility, &cull_strands::list_of(resources, inputs_.frame()), &inputs_.scattered(),
+                        packing_ ? &packing_->vertices() : &inputs_.frame(),
+                        packing_ ? &packing_->strands() : &inputs_.frame()},
                        {inputs_.table(resources, 0), inputs_.table(resources, 1), inputs_.table(resources, 2)}, {},
                        k_corners * part.strands * part.segments);
     commands.end_rendering();
@@ -97,18 +104,6 @@ class Lines : public GpuPass {
   }
 
  private:
-  /// What the vertex shader reads: vertices with tangents, or packed vertices with their strands' units.
-  struct DrawnBuffers {
-    const gpu::Buffer *vertices, *second;
-    bool packed;
-  };
-  DrawnBuffers packed_or_full(gpu::Commands& commands, const Resources& resources) {
-    const DrawnHair& hair = resources.get<DrawnHair>();
-    if (!packing_) return {hair.strands.vertices, hair.tangents, false};
-    packing_->record(commands, *hair.strands.vertices, *hair.tangents);
-    return {&packing_->vertices(), &packing_->strands(), true};
-  }
-
   void begin(gpu::Commands& commands, const Resources& resources) const {
     const gpu::Commands::Target targets[] = {color_target(resources), {.color = &seen_}};
     commands.begin_rendering({targets, seen_ ? 2u : 1u}, resources.get<Targets>().depth, resources.get<Targets>().keep);

@@ -6,12 +6,13 @@
 #include "render/strand_shading/frame.glsl"
 #include "render/randomness/strand_chance.glsl"
 
-layout(std430, set = 0, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
-layout(std430, set = 0, binding = 0) readonly buffer PackedVertices { uint words[]; };  // three a vertex
-layout(std430, set = 0, binding = 1) readonly buffer Tangents { vec4 tangents[]; };
-layout(std430, set = 0, binding = 1) readonly buffer PackedStrands { float strand_units[]; };  // five a strand
-layout(std430, set = 0, binding = 2) readonly buffer Transmittance { float transmittance[]; };
+#define VERTICES_BINDING 0
+#define TANGENTS_BINDING 1
+#include "strands/spline/drawn.glsl"
+layout(std430, set = 0, binding = 8) readonly buffer PackedVertices { uint words[]; };  // three a vertex
+layout(std430, set = 0, binding = 9) readonly buffer PackedStrands { float strand_units[]; };  // five a strand
 #define CHANNEL_CONSTANT 0
+#define TRANSMITTANCE_BINDING 2
 #include "render/strand_shading/transmittance.glsl"
 #include "render/strand_shading/angles.glsl"
 #define DUAL_CONSTANT 4
@@ -38,7 +39,7 @@ layout(location = 5 + 2 * CHANNELS) out float opacity;       // the strand's wid
 layout(location = 6 + 2 * CHANNELS) flat out float chance;   // of the strand
 
 vec3 position_of(uint vertex) {
-  if (packed_vertices == 0u) return vertices[vertex].xyz;
+  if (packed_vertices == 0u) return drawn_vertex(vertex).xyz;
   const uint unit = vertex / vertices_per_strand * 5u, xy = words[3u * vertex], z = words[3u * vertex + 1u];
   const float extent = strand_units[unit + 3u];
   return vec3(unpacked_length(xy & 0xffffu, strand_units[unit], extent),
@@ -46,20 +47,20 @@ vec3 position_of(uint vertex) {
               unpacked_length(z & 0xffffu, strand_units[unit + 2u], extent));
 }
 float radius_of(uint vertex) {
-  if (packed_vertices == 0u) return vertices[vertex].w;
+  if (packed_vertices == 0u) return drawn_vertex(vertex).w;
   return unpacked_length(words[3u * vertex + 1u] >> 16, 0.0, strand_units[vertex / vertices_per_strand * 5u + 4u]);
 }
 vec3 tangent_of(uint vertex) {
-  return packed_vertices == 0u ? tangents[vertex].xyz : unpacked_tangent(words[3u * vertex + 2u]);
+  return packed_vertices == 0u ? drawn_tangent(vertex).xyz : unpacked_tangent(words[3u * vertex + 2u]);
 }
 // Of the strand's length; packed strands hold none, and count their vertices.
 float fraction_of(uint vertex) {
-  return packed_vertices == 0u ? tangents[vertex].w
+  return packed_vertices == 0u ? drawn_tangent(vertex).w
                                : float(vertex % vertices_per_strand) / float(max(vertices_per_strand, 2u) - 1u);
 }
 
 bool has_numbers(uint vertex) {
-  return is_finite(packed_vertices == 0u ? vertices[vertex] : vec4(position_of(vertex), 0.0));
+  return is_finite(packed_vertices == 0u ? drawn_vertex(vertex) : vec4(position_of(vertex), 0.0));
 }
 
 vec3 multiple_scattering_of_lights(uint vertex) {

@@ -17,7 +17,7 @@ constexpr std::string_view k_after[] = {"place_strands"};
 
 const Pass& entry() {
   static const Pass pass =
-      with_uses(generating({.name = "place_velocities",
+      with_uses(writing_drawn({.name = "place_velocities",
                             .summary = "velocities of the vertices of strands that are drawn as they are given",
                             .source = "Frostbite, Every Strand Counts (2023): what physics hands over",
                             .demands = k_demands,

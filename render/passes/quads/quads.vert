@@ -6,8 +6,9 @@
 #include "render/strand_shading/frame.glsl"
 #include "render/randomness/strand_chance.glsl"
 
-layout(std430, set = 0, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
-layout(std430, set = 0, binding = 1) readonly buffer Tangents { vec4 tangents[]; };
+#define VERTICES_BINDING 0
+#define TANGENTS_BINDING 1
+#include "strands/spline/drawn.glsl"
 layout(set = 0, binding = 5) uniform sampler2D taper;  // factor on the width, root to tip
 #define LISTED_CONSTANT 0
 #define LISTED_BINDING 4
@@ -34,11 +35,11 @@ void main() {
   const uint first = vertex_of(strand, begin), last = vertex_of(strand, begin + 1u);
   const uint vertex = k_end[corner] == 0u ? first : last;
   id = strand * drawn_segments + begin + 1u;
-  const float radius = vertices[vertex].w * width * textureLod(taper, vec2(tangents[vertex].w, 0.5), 0.0).r;
-  const vec3 side = across(tangents[vertex].xyz, normalize(eye.xyz - vertices[vertex].xyz));
-  const vec3 position = vertices[vertex].xyz + side * (k_side[corner] * radius);
+  const float radius = drawn_vertex(vertex).w * width * textureLod(taper, vec2(drawn_tangent(vertex).w, 0.5), 0.0).r;
+  const vec3 side = across(drawn_tangent(vertex).xyz, normalize(eye.xyz - drawn_vertex(vertex).xyz));
+  const vec3 position = drawn_vertex(vertex).xyz + side * (k_side[corner] * radius);
   // A segment of a tip that chance cuts away, and one with numbers that are none, lie outside the view.
-  const bool drawn = tangents[last].w <= kept_length(strand, tip_variation) && is_finite(vertices[first]) &&
-                     is_finite(vertices[last]);
+  const bool drawn = drawn_tangent(last).w <= kept_length(strand, tip_variation) && is_finite(drawn_vertex(first)) &&
+                     is_finite(drawn_vertex(last));
   gl_Position = drawn ? world_to_clip * vec4(position, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
 }

@@ -6,6 +6,7 @@
 #include "render/passes/quads/quads.h"
 #include "render/strand_shading/shading_inputs_gpu.h"
 #include "render/visibility/drawn_part_gpu.h"
+#include "strands/spline/drawn_gpu.h"
 
 #include <quads_frag.spv.h>
 #include <quads_shade_many_frag.spv.h>
@@ -70,7 +71,8 @@ class Quads : public GpuPass {
     description.interface = {.storage_buffers = 5,
                              .textures = 1,
                              .push_constant_bytes = sizeof(float),
-                             .specialization = {cull_strands::is_listed(resources)}};
+                             .specialization = {cull_strands::is_listed(resources)},
+                             .texels = {strands::drawn_texels(0), strands::drawn_texels(1)}};
     description.color_formats = {seen_.format()};
     CUTICLE_ASSIGN(see_, device.make_graphics(description));
     const int samples = seen_.samples();
@@ -85,7 +87,8 @@ class Quads : public GpuPass {
     description.interface = {
         .storage_buffers = 7,
         .textures = 4,
-        .specialization = strand_shading::with_layout(std::move(constants), bake_tables::table_set_of(resources))};
+        .specialization = strand_shading::with_layout(std::move(constants), bake_tables::table_set_of(resources)),
+        .texels = {strands::drawn_texels(0), strands::drawn_texels(1), GatheredTransmittance::texels(2)}};
     CUTICLE_ASSIGN(shade_, device.make_graphics(description));
     return {};
   }
@@ -98,7 +101,7 @@ class Quads : public GpuPass {
     const float width = float(part.width);
     commands.begin_rendering({&target, 1}, targets.depth, targets.keep);
     cull_strands::draw(commands, resources, see_,
-                       {hair.strands.vertices, hair.tangents, &inputs_.transmittance(), &inputs_.frame(),
+                       {hair.strands.vertices, hair.tangents, &inputs_.frame(), &inputs_.frame(),
                         &cull_strands::list_of(resources, inputs_.frame())},
                        {&taper_}, gpu::bytes_of(width), k_corners * part.strands * part.segments);
     commands.end_rendering();

@@ -6,9 +6,9 @@
 #include "render/visibility/segment_share.glsl"
 
 layout(constant_id = 0) const int k_samples = 1;
-layout(std430, set = 0, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
-layout(std430, set = 0, binding = 1) readonly buffer Tangents { vec4 tangents[]; };
-layout(std430, set = 0, binding = 2) readonly buffer Transmittance { float transmittance[]; };
+#define VERTICES_BINDING 0
+#define TANGENTS_BINDING 1
+#include "strands/spline/drawn.glsl"
 layout(set = 0, binding = 7) uniform sampler2D table_first;
 layout(set = 0, binding = 8) uniform sampler2D table_second;
 layout(set = 0, binding = 9) uniform sampler2D table_rest;
@@ -16,6 +16,7 @@ layout(constant_id = 7) const uint k_direct = 0u;  // 1: `scattered` in place of
 #define SCATTERED_BINDING 6
 #include "render/strand_shading/scattered.glsl"
 #define CHANNEL_CONSTANT 1
+#define TRANSMITTANCE_BINDING 2
 #include "render/strand_shading/transmittance.glsl"
 vec3 evaluated = vec3(0.0);
 #define EVALUATED k_direct != 0u
@@ -33,9 +34,9 @@ uint segment_at(ivec2 pixel, int sample_index);
 vec3 radiance_of(uint segment, vec2 middle, vec2 size) {
   uint strand = segment / drawn_segments, begin = segment % drawn_segments;
   uint first = vertex_of(strand, begin), last = vertex_of(strand, begin + 1u);
-  float share = share_at(world_to_clip, middle, size, vertices[first].xyz, vertices[last].xyz);
-  vec3 t = normalize(mix(tangents[first].xyz, tangents[last].xyz, share) + tilt_of(strand, variation));
-  vec3 place = mix(vertices[first].xyz, vertices[last].xyz, share), to_eye = normalize(eye.xyz - place);
+  float share = share_at(world_to_clip, middle, size, drawn_vertex(first).xyz, drawn_vertex(last).xyz);
+  vec3 t = normalize(mix(drawn_tangent(first).xyz, drawn_tangent(last).xyz, share) + tilt_of(strand, variation));
+  vec3 place = mix(drawn_vertex(first).xyz, drawn_vertex(last).xyz, share), to_eye = normalize(eye.xyz - place);
   vec3 sum = vec3(0.0);
   for (uint k = 0u; k < light_count; ++k) {
     vec3 transmittance = mix(transmitted(k, first), transmitted(k, last), share);

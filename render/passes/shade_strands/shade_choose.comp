@@ -5,7 +5,8 @@
 layout(local_size_x = 64) in;
 #include "gpu/groups.glsl"
 
-layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
+#define VERTICES_BINDING 0
+#include "strands/spline/drawn.glsl"
 layout(std430, binding = 1) readonly buffer Visible { uint visible[]; };    // a bit per vertex
 layout(std430, binding = 2) writeonly buffer Points { uint points[]; };     // per strand
 layout(std430, binding = 3) buffer Shaded { uint shaded_count, unused[3], shaded[]; };  // vertices, in any order
@@ -20,10 +21,10 @@ layout(push_constant) uniform Push {
 bool is_seen(uint vertex) { return only_visible == 0u || (visible[vertex >> 5] >> (vertex & 31u) & 1u) != 0u; }
 
 uint point_count(uint root) {
-  float len = 0.0, nearest = distance(vertices[root].xyz, eye);
+  float len = 0.0, nearest = distance(drawn_vertex(root).xyz, eye);
   for (uint k = 1u; k < vertices_per_strand; ++k) {
-    len += distance(vertices[root + k - 1u].xyz, vertices[root + k].xyz);
-    nearest = min(nearest, distance(vertices[root + k].xyz, eye));
+    len += distance(drawn_vertex(root + k - 1u).xyz, drawn_vertex(root + k).xyz);
+    nearest = min(nearest, distance(drawn_vertex(root + k).xyz, eye));
   }
   float wanted = 1.0 + ceil(points_per_size * len / nearest);
   // Comparisons with what is not a number are false: such a strand has all its points.

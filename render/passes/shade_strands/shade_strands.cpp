@@ -1,6 +1,7 @@
 #include "render/passes/shade_strands/shade_strands.h"
 
 #include "render/frame.h"
+#include "render/generating.h"
 #include "render/inputs.h"
 #include "render/passes/bake_tables/bake_tables.h"
 #include "render/passes/dual_scattering/dual_scattering.h"
@@ -28,8 +29,9 @@ constexpr Use k_uses[] = {reads<FrameView>(),
                           writes<StrandColors>()};
 constexpr std::string_view k_after[] = {"tile_lists", "seen_vertices", "dual_scattering"};
 constexpr std::string_view k_systems[] = {"F5"};
-std::uint32_t dispatches(const registry::ParameterValues& values, const registry::FrameShape&) {
-  return registry::from_values<Parameters>(values).point_px > 0 ? 3 : 1;  // choose, shade, fill
+std::uint32_t dispatches(const registry::ParameterValues& values, const registry::FrameShape& shape) {
+  const std::uint32_t parts = dispatches_of_drawn(shape, strands::k_color_bytes);
+  return registry::from_values<Parameters>(values).point_px > 0 ? 1 + 2 * parts : parts;  // choose, shade, fill
 }
 
 }  // namespace

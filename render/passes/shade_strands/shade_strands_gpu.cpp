@@ -9,6 +9,7 @@
 #include "render/passes/seen_vertices/seen_vertices_gpu.h"
 #include "render/passes/tile_lists/tile_lists_gpu.h"
 #include "render/strand_shading/shading_inputs_gpu.h"
+#include "strands/spline/drawn_gpu.h"
 
 #include <shade_choose_comp.spv.h>
 #include <shade_fill_comp.spv.h>
@@ -25,10 +26,10 @@ struct ChoosePush {
   std::uint32_t strand_count, vertices_per_strand, only_visible;
 };
 struct ShadePush {
-  std::uint32_t only_visible, listed;
+  std::uint32_t only_visible, first_vertex, part_vertices, listed;
 };
 struct FillPush {
-  std::uint32_t vertex_count, vertices_per_strand;
+  std::uint32_t first_vertex, part_vertices, vertices_per_strand;
   float tip_variation;
   std::uint32_t only_visible;
 };
@@ -38,6 +39,7 @@ struct Kernels {
 };
 struct Buffers {
   gpu::Buffer colors, points, shaded;
+  std::vector<strands::StrandPart> parts;  ///< of the colours: a dispatch writes one
 };
 
 class ShadeStrands : public GpuPass {
@@ -55,8 +57,9 @@ class ShadeStrands : public GpuPass {
     // What does not show is blended with no weight, which takes a number.
     if (resources.find<seen_vertices::SeenVertices>()) commands.fill(buffers_.colors, 0);
     if (point_px_ > 0) record_choose(commands, resources);
-    record_shade(commands, resources);
-    if (point_px_ > 0) record_fill(commands, resources);
+    for (const strands::StrandPart& part : buffers_.parts) record_shade(commands, resources, part);
+    if (point_px_ > 0)
+      for (const strands::StrandPart& part : buffers_.parts) record_fill(commands, resources, part);
     return {};
   }
 
@@ -88,15 +91,18 @@ class ShadeStrands : public GpuPass {
                       {}, gpu::bytes_of(push), groups.x, groups.y);
   }
 
-  void record_shade(gpu::Commands& commands, const Resources& resources) const {
+  void record_shade(gpu::Commands& commands, const Resources& resources, const strands::StrandPart& part) const {
     const DrawnHair& hair = resources.get<DrawnHair>();
     const gpu::Buffer* const listed = listed_seen(resources);
-    const ShadePush push{only_visible(resources), listed ? 2u : point_px_ > 0 ? 1u : 0u};
-    const gpu::Groups groups = gpu::groups_for(hair.strands.vertex_count);
+    const std::uint32_t own = part.count * part.vertices_per_strand;
+    const ShadePush push{only_visible(resources), part.first * part.vertices_per_strand, own,
+                         listed ? 2u : point_px_ > 0 ? 1u : 0u};
+    const gpu::Groups groups = gpu::groups_for(push.listed == 1 ? hair.strands.vertex_count : own);
+    const gpu::Buffer colors = part.of(buffers_.colors);
     const dual_scattering::Inputs dual = dual_scattering::inputs_of(resources, inputs_.frame());
     const gpu::Buffer* const buffers[] = {hair.strands.vertices,
                                           hair.tangents,
-                                          &buffers_.colors,
+                                          &colors,
                                           &inputs_.frame(),
                                           &inputs_.transmittance(),
                                           &visible(resources),
@@ -114,12 +120,14 @@ class ShadeStrands : public GpuPass {
     }
   }
 
-  void record_fill(gpu::Commands& commands, const Resources& resources) const {
+  void record_fill(gpu::Commands& commands, const Resources& resources, const strands::StrandPart& part) const {
     const DrawnHair& hair = resources.get<DrawnHair>();
-    const FillPush push{hair.strands.vertex_count, hair.vertices_per_strand,
-                        float(parameters_of<lines::Parameters>(resources).tip_variation), only_visible(resources)};
-    const gpu::Groups groups = gpu::groups_for(hair.strands.vertex_count);
-    commands.dispatch(kernels_.fill, {hair.tangents, &visible(resources), &buffers_.points, &buffers_.colors}, {},
+    const FillPush push{part.first * part.vertices_per_strand, part.count * part.vertices_per_strand,
+                        part.vertices_per_strand, float(parameters_of<lines::Parameters>(resources).tip_variation),
+                        only_visible(resources)};
+    const gpu::Groups groups = gpu::groups_for(push.part_vertices);
+    const gpu::Buffer colors = part.of(buffers_.colors);
+    commands.dispatch(kernels_.fill, {hair.tangents, &visible(resources), &buffers_.points, &colors}, {},
                       gpu::bytes_of(push), groups.x, groups.y);
   }
 
@@ -131,13 +139,16 @@ class ShadeStrands : public GpuPass {
 
 Result<Kernels> make_kernels(gpu::Device& device, const Resources& resources) {
   Kernels kernels;
-  CUTICLE_ASSIGN(kernels.choose, device.make_kernel(shade_choose_comp, {4, 0, sizeof(ChoosePush)}));
+  CUTICLE_ASSIGN(kernels.choose, device.make_kernel(shade_choose_comp, {4, 0, sizeof(ChoosePush), {}, {strands::drawn_texels(0)}}));
   std::vector<std::uint32_t> constants =
       with_channels(dual_scattering::with_dual_scattering({}, resources), transmittance_of(resources).channels);
   constants.push_back(resources.get<FibreMaterial>().evaluates_directly ? 1 : 0);
   constants = strand_shading::with_layout(std::move(constants), bake_tables::table_set_of(resources));
-  CUTICLE_ASSIGN(kernels.shade, device.make_kernel(shade_strands_comp, {10, 3, sizeof(ShadePush), constants}));
-  CUTICLE_ASSIGN(kernels.fill, device.make_kernel(shade_fill_comp, {4, 0, sizeof(FillPush)}));
+  CUTICLE_ASSIGN(kernels.shade,
+                 device.make_kernel(shade_strands_comp, {10, 3, sizeof(ShadePush), constants,
+                                                         {strands::drawn_texels(0), strands::drawn_texels(1),
+                                                          GatheredTransmittance::texels(4)}}));
+  CUTICLE_ASSIGN(kernels.fill, device.make_kernel(shade_fill_comp, {4, 0, sizeof(FillPush), {}, {strands::drawn_texels(0)}}));
   return kernels;
 }
 
@@ -146,7 +157,11 @@ Result<Buffers> make_buffers(gpu::Device& device, const Resources& resources, bo
   const DrawnHair& hair = resources.get<DrawnHair>();
   const std::size_t vertices = hair.strands.vertex_count, word = sizeof(std::uint32_t);
   Buffers buffers;
-  CUTICLE_ASSIGN(buffers.colors, device.make_buffer(vertices * sizeof(glm::uvec2)));
+  static_assert(strands::k_color_bytes == sizeof(glm::uvec2));
+  CUTICLE_ASSIGN(buffers.colors,
+                 device.make_texel_buffer(vertices * strands::k_color_bytes, gpu::TextureFormat::rgba16f));
+  buffers.parts = strands::strand_parts(device.info(), std::uint32_t(vertices / hair.vertices_per_strand),
+                                        hair.vertices_per_strand, strands::k_color_bytes);
   CUTICLE_ASSIGN(buffers.points, device.make_buffer(by_points ? vertices / hair.vertices_per_strand * word : word));
   CUTICLE_ASSIGN(buffers.shaded, device.make_buffer((seen_vertices::k_list_head + (by_points ? vertices : 1)) * word));
   return buffers;

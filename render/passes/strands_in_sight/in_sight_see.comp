@@ -7,7 +7,8 @@ layout(local_size_x = 64) in;
 #include "render/finite.glsl"
 #include "render/passes/strands_in_sight/in_sight_push.glsl"
 
-layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
+#define VERTICES_BINDING 0
+#include "strands/spline/drawn.glsl"
 layout(std430, binding = 1) buffer Seen { uint seen[]; };  // a bit per strand
 
 // A bit for each side of the view that the vertex is beyond.
@@ -24,6 +25,6 @@ void main() {
   if (strand >= strand_count) return;
   uint beyond = 31u;
   for (uint k = 0u; k < vertices_per_strand && beyond != 0u; ++k)
-    beyond &= sides_beyond(vertices[strand * vertices_per_strand + k]);
+    beyond &= sides_beyond(drawn_vertex(strand * vertices_per_strand + k));
   if (beyond == 0u) atomicOr(seen[strand >> 5], 1u << (strand & 31u));
 }

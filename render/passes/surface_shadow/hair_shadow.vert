@@ -4,7 +4,8 @@
 #define MAPS_BINDING 0
 #include "render/passes/surface_shadow/surface_maps.glsl"
 #include "render/finite.glsl"
-layout(std430, set = 0, binding = 1) readonly buffer Vertices { vec4 vertices[]; };
+#define VERTICES_BINDING 1
+#include "strands/spline/drawn.glsl"
 layout(std430, set = 0, binding = 2) readonly buffer Segments { uint segments[]; };
 #include "render/passes/surface_shadow/hair_push.glsl"
 layout(location = 0) flat out uint light;
@@ -16,7 +17,7 @@ const float k_side[6] = float[](-1.0, 1.0, -1.0, -1.0, 1.0, 1.0);
 
 void main() {
   const uint corner = uint(gl_VertexIndex) % 6u, first = segments[uint(gl_VertexIndex) / 6u * parts];
-  const vec4 begin = vertices[first], end = vertices[first + parts], here = k_end[corner] == 0u ? begin : end;
+  const vec4 begin = drawn_vertex(first), end = drawn_vertex(first + parts), here = k_end[corner] == 0u ? begin : end;
   light = uint(gl_InstanceIndex) % light_count;
   opacity = uint(gl_InstanceIndex) / light_count;
   strand = first / vertices_per_strand;

@@ -7,7 +7,8 @@ layout(local_size_x = 64) in;
 #include "render/finite.glsl"
 #include "render/passes/surface_shadow/map_lookup.glsl"
 #include "render/passes/surface_shadow/surface_maps.glsl"
-layout(std430, set = 0, binding = 1) readonly buffer Vertices { vec4 vertices[]; };
+#define VERTICES_BINDING 1
+#include "strands/spline/drawn.glsl"
 layout(std430, set = 0, binding = 2) writeonly buffer Visibility { float visibility[]; };
 layout(std430, set = 0, binding = 3) buffer Transmittance { float transmittance[]; };
 layout(std430, set = 0, binding = 4) buffer OfSecond { float of_second[]; };  // transmittance of other opacities
@@ -24,8 +25,8 @@ void main() {
   const uint vertex = invocation();
   if (vertex >= vertex_count) return;
   float lit = 1.0;
-  if (is_finite(vertices[vertex])) {
-    vec3 at = place_in_light_map(world_to_map[light] * vec4(vertices[vertex].xyz, 1.0), map_bias[light]);
+  if (is_finite(drawn_vertex(vertex))) {
+    vec3 at = place_in_light_map(world_to_map[light] * vec4(drawn_vertex(vertex).xyz, 1.0), map_bias[light]);
     lit = unshadowed(map, at, light, map_resolution, map_columns, half_side);
   }
   visibility[light * vertex_count + vertex] = lit;

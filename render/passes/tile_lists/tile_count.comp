@@ -27,7 +27,7 @@ void main() {
   uint segment = listed_segment(invocation(), k_parts);
   if (segment >= push.segment_count) return;
   uint vertex = first_vertex(segment);
-  vec4 a = texelFetch(vertices, int(vertex)), b = texelFetch(vertices, int(vertex + k_parts));
+  vec4 a = drawn_vertex(vertex), b = drawn_vertex(vertex + k_parts);
   if (!is_finite(a) || !is_finite(b)) {
     atomicAdd(not_finite, 1u);
     return;

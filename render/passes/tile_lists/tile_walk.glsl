@@ -6,8 +6,9 @@
 #define PARTS_CONSTANT 0
 #include "render/passes/tile_lists/segment_parts.glsl"
 
-layout(binding = 0) uniform samplerBuffer vertices;
-layout(binding = 1) uniform samplerBuffer tangents;
+#define VERTICES_BINDING 0
+#define TANGENTS_BINDING 1
+#include "strands/spline/drawn.glsl"
 layout(binding = 2) uniform usamplerBuffer segments;   // of all parts
 layout(binding = 3) uniform samplerBuffer tile_depth;  // 1 / distance of the farthest scene
 
@@ -19,10 +20,11 @@ uint first_vertex(uint segment) { return texelFetch(segments, int(segment * k_pa
 /// A tile that the segment may cover, and 1 / its depth where it passes the tile's middle.
 void visit(uint tile, uint vertex, float inverse_depth);
 
-// A segment that chance takes away: the tip of a strand, or one of too many.
+// Not of a strand that chance takes away, one of too many, nor of the tip of one that it cuts.
 bool is_kept(uint vertex) {
-  return texelFetch(tangents, int(vertex + k_parts)).w <= kept_length(vertex / push.vertices_per_strand, push.tip_variation) &&
-         mixed(vertex, k_thinning) < push.kept_share;
+  const uint strand = vertex / push.vertices_per_strand;
+  return mixed(strand, k_thinning) < push.kept_share &&
+         drawn_tangent(vertex + k_parts).w <= kept_length(strand, push.tip_variation);
 }
 
 bool visits(uint vertex, Projected p, ivec2 at, ivec2 begin, float beyond) {

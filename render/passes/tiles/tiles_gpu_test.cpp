@@ -361,26 +361,5 @@ TEST(Tiles, ManyThinStrandsInOnePixel_CoverWhatTheyShould) {
   EXPECT_GT(draw(drawing).alpha(32, 31), 0.99);  // side by side, so that the pixel is covered twice over
 }
 
-TEST(Tiles, ListsThatGrow_LeaveTheSamePicture) {
-  Drawing drawing = bundle(100);
-  for (glm::vec4& vertex : drawing.vertices) vertex.w = 8 * drawing.pixel();
-  Tiles tiles(drawing);
-  const Drawn first = tiles.draw(), second = tiles.draw();
-  EXPECT_GT(first.attempts, 1) << "the first guess was enough: the test does not reach what it is for";
-  EXPECT_EQ(second.attempts, 1);
-  EXPECT_EQ(first.color.pixels, second.color.pixels);
-}
-
-TEST(Tiles, BudgetTooSmall_DrawsFewerWiderStrandsAndSaysSo) {
-  Drawing drawing = bundle(600);
-  for (glm::vec4& vertex : drawing.vertices) vertex.w = 0.05f * drawing.pixel();  // thin: none hides another
-  const Drawn whole = draw(drawing);
-  drawing.budget_mib = 0.1;
-  const Drawn thinned = draw(drawing);
-  ASSERT_EQ(thinned.notes.size(), 1u);
-  const Image none = make_image(drawing.size, drawing.size, {"R", "G", "B", "A"});
-  EXPECT_NEAR(mean_difference(thinned.color, none, 3, 4) / mean_difference(whole.color, none, 3, 4), 1, 0.05);
-}
-
 }  // namespace
 }  // namespace cuticle::render::tiles_gpu_test

@@ -8,6 +8,7 @@
 #include "render/pass_gpu.h"
 #include "render/passes/aovs/aovs_gpu.h"
 #include "render/passes/pixel_depth/pixel_depth_gpu.h"
+#include "strands/spline/drawn_gpu.h"
 
 #include <velocity_comp.spv.h>
 #include <velocity_fill_comp.spv.h>
@@ -115,8 +116,9 @@ class Velocity : public GpuPass {
 
 Result<Kernels> make_kernels(gpu::Device& device) {
   Kernels kernels;
-  CUTICLE_ASSIGN(kernels.largest, device.make_kernel(velocity_largest_comp, {4, 0, 0}));
-  CUTICLE_ASSIGN(kernels.splat, device.make_kernel(velocity_splat_comp, {5, 0, 0}));
+  const std::vector<gpu::TexelBinding> vertices = {strands::drawn_texels(1), strands::drawn_texels(2)};
+  CUTICLE_ASSIGN(kernels.largest, device.make_kernel(velocity_largest_comp, {4, 0, 0, {}, vertices}));
+  CUTICLE_ASSIGN(kernels.splat, device.make_kernel(velocity_splat_comp, {5, 0, 0, {}, vertices}));
   CUTICLE_ASSIGN(kernels.mean, device.make_kernel(velocity_mean_comp, {4, 0, 0}));
   CUTICLE_ASSIGN(kernels.fill, device.make_kernel(velocity_fill_comp, {3, 0, 0}));
   CUTICLE_ASSIGN(kernels.pixels, device.make_kernel(velocity_comp, {5, 0, sizeof(std::uint32_t)}));

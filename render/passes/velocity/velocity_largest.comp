@@ -3,13 +3,15 @@
 // The largest component of any vertex's displacement: the unit of the sums of integers.
 #include "render/passes/velocity/velocity.glsl"
 #include "render/finite.glsl"
-layout(std430, binding = 1) readonly buffer Now { vec4 now[]; };
-layout(std430, binding = 2) readonly buffer Motion { vec4 motion[]; };
+layout(binding = 1) uniform samplerBuffer now;
+layout(binding = 2) uniform samplerBuffer motion;
 layout(std430, binding = 3) buffer Largest { uint largest; };  // bits of a float that is not negative: these order alike
 
 void main() {
   uint vertex = invocation();
-  if (vertex >= vertex_count || !is_finite(now[vertex]) || !is_finite(motion[vertex])) return;
-  vec3 way = abs(moved(now[vertex], motion[vertex]));
+  if (vertex >= vertex_count) return;
+  const vec4 place = texelFetch(now, int(vertex)), moves = texelFetch(motion, int(vertex));
+  if (!is_finite(place) || !is_finite(moves)) return;
+  vec3 way = abs(moved(place, moves));
   atomicMax(largest, floatBitsToUint(max(way.x, max(way.y, way.z))));
 }
