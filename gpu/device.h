@@ -280,8 +280,8 @@ class Device : public std::enable_shared_from_this<Device> {
 
   /// Error: out_of_memory, naming size and limit (a single buffer is at most info().max_storage_buffer_bytes).
   Result<Buffer> make_buffer(std::size_t bytes);
-  /// A buffer that shaders read as texels and write in parts: at most info().max_texel_buffer_bytes of 16 bytes each, and
-  /// as many of a smaller format.
+  /// A buffer that shaders read as texels and write in parts: at most info().max_texel_buffer_bytes of 16 bytes each,
+  /// and as many of a smaller format.
   Result<Buffer> make_texel_buffer(std::size_t bytes, TextureFormat format = TextureFormat::rgba32f);
   Result<void> upload(const Buffer& buffer, std::span<const std::byte> data, std::size_t offset = 0);
   Result<void> download(const Buffer& buffer, std::span<std::byte> data, std::size_t offset = 0);

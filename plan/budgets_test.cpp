@@ -131,7 +131,8 @@ TEST(Budgets, ErrorsOfTheTableThatIsShipped_FallWithFinerSettings) {
   };
   falls("motion", 0.6,
         {"inner_step=0.00833333", "inner_step=0.00416667", "inner_step=0.00208333", "inner_step=0.00104167"});
-  falls("shadow", 0.75, {"resolution=256", "resolution=512", "resolution=1024", "resolution=2048"});  // deep shadow maps
+  falls("shadow", 0.75,
+        {"resolution=256", "resolution=512", "resolution=1024", "resolution=2048"});  // deep shadow maps
   falls("shading", 0.6, {"lut_size=16", "lut_size=32", "lut_size=64", "lut_size=128"});
 }
 

@@ -44,7 +44,8 @@ Result<std::unique_ptr<StrandMotion>> StrandMotion::create(std::shared_ptr<gpu::
     CUTICLE_TRY(check_on_skin(scene));
     CUTICLE_ASSIGN(motion->character_, CharacterMotion::create(*motion->device_, scene, set));
   } else if (!scene.simulation.solver) {
-    CUTICLE_ASSIGN(motion->carried_, motion->device_->make_texel_buffer(set.control.vertex_count() * sizeof(glm::vec4)));
+    CUTICLE_ASSIGN(motion->carried_,
+                   motion->device_->make_texel_buffer(set.control.vertex_count() * sizeof(glm::vec4)));
   }
   if (!set.fins.triangles.empty()) {
     CUTICLE_ASSIGN(motion->fins_, FinMotion::create(motion->device_, scene, set, plan));

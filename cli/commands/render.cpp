@@ -83,7 +83,7 @@ CostSplit split_of(const Costs& costs, const plan::Plan& plan) {
 }
 
 void print_text(const Costs& costs, const CostSplit& split, const std::string& device) {
-  fmt::print("{} frame(s) on {}: {:.1f} ms of submitted work a frame by wall clock, {:.1f} ms to read the picture back\n",
+  fmt::print("{} frame(s) on {}: {:.1f} ms of submitted work a frame by wall clock, {:.1f} ms to read pictures back\n",
              costs.frames, device, costs.wall_ms / costs.frames, costs.read_back_ms / costs.frames);
   fmt::print("{:<20} {:>10} {:>6} {:>15}   (each a frame)\n", "pass", "dispatches", "draws", "timestamps, ms");
   for (const gpu::PassCost& pass : costs.passes)

@@ -54,8 +54,10 @@ Result<DirectScattering> DirectScattering::make(gpu::Device& device, const Resou
   CUTICLE_TRY(check(device, resources));
   CUTICLE_TRY(bsdf::check_loops(device, *material.model, evaluated_values(resources), bsdf::Quantity::S));
   CUTICLE_ASSIGN(bsdf::GpuEvaluator evaluator, bsdf::GpuEvaluator::make(device, *material.model));
-  CUTICLE_ASSIGN(gpu::Kernel angles, device.make_kernel(strand_angles_comp,
-                                         {5, 0, sizeof(AnglesPush), {}, {strands::drawn_texels(0), strands::drawn_texels(1)}}));
+  CUTICLE_ASSIGN(
+      gpu::Kernel angles,
+      device.make_kernel(strand_angles_comp,
+                         {5, 0, sizeof(AnglesPush), {}, {strands::drawn_texels(0), strands::drawn_texels(1)}}));
   DirectScattering direct(std::move(evaluator), std::move(angles));
   const std::size_t vertices = resources.get<DrawnHair>().strands.vertex_count,
                     lights = std::max<std::size_t>(1, resources.get<Lights>().all.size());

@@ -1,6 +1,6 @@
 #pragma once
-// Drawn vertices may be more than one binding of a storage buffer holds. They are read as texels (drawn.glsl), whole, and
-// written in parts: runs of strands, a dispatch each.
+// Drawn vertices may be more than one binding of a storage buffer holds. They are read as texels (drawn.glsl), whole,
+// and written in parts: runs of strands, a dispatch each.
 #include <algorithm>
 #include <cstdint>
 

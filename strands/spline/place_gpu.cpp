@@ -104,8 +104,9 @@ Result<void> StrandPlacer::upload(gpu::Device& device, const Groom& control, std
 Result<void> StrandPlacer::make_kernels(gpu::Device& device, bool moves) {
   CUTICLE_ASSIGN(place_, device.make_kernel(place_comp, {5, 0, sizeof(Constants), {}, {drawn_texels(1)}}));
   if (!moves) return {};
-  CUTICLE_ASSIGN(place_velocity_, device.make_kernel(place_velocity_comp,
-                                                     {4, 0, sizeof(Constants), {}, {drawn_texels(1), drawn_texels(2)}}));
+  CUTICLE_ASSIGN(
+      place_velocity_,
+      device.make_kernel(place_velocity_comp, {4, 0, sizeof(Constants), {}, {drawn_texels(1), drawn_texels(2)}}));
   CUTICLE_ASSIGN(velocities_, device.make_texel_buffer(vertices_.size()));
   return {};
 }

@@ -9,9 +9,9 @@ namespace cuticle::strands {
 
 inline constexpr std::uint32_t k_longest_placed = 16384;  ///< vertices
 
-/// One dispatch "place_strands" of one thread per strand for each part of the strands (drawn_parts.h): positions and radii of the strands themselves are those of
-/// the control strands, bit by bit; a follow hair's offset turns with the head and with its guide's first segment
-/// (place_gpu_test). Velocities: "place_velocities", likewise.
+/// One dispatch "place_strands" of one thread per strand for each part of the strands (drawn_parts.h): positions and
+/// radii of the strands themselves are those of the control strands, bit by bit; a follow hair's offset turns with the
+/// head and with its guide's first segment (place_gpu_test). Velocities: "place_velocities", likewise.
 class StrandPlacer : public DrawnStrands {
  public:
   /// `moves`: whether there is room for velocities; `parts` as for place(). Errors: bad_input for a strand without a

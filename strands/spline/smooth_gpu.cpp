@@ -160,9 +160,12 @@ Result<void> StrandGenerator::record_interpolate(gpu::Commands& commands) {
   const std::size_t runs = (impl_->vertices_per_strand + impl_->run - 1) / impl_->run;
   commands.begin_pass("interpolate_strands");
   for (const StrandPart& part : impl_->written) {
-    const InterpolateConstants constants{
-        part.first,    part.count, part.vertices_per_strand, std::uint32_t(impl_->run),
-        impl_->radius, impl_->radius * (1 - impl_->taper)};
+    const InterpolateConstants constants{part.first,
+                                         part.count,
+                                         part.vertices_per_strand,
+                                         std::uint32_t(impl_->run),
+                                         impl_->radius,
+                                         impl_->radius * (1 - impl_->taper)};
     const gpu::Groups groups = gpu::groups_for(part.count * runs);
     const gpu::Buffer vertices = part.of(impl_->vertices), tangents = part.of(impl_->tangents);
     commands.dispatch(impl_->interpolate,

@@ -17,11 +17,10 @@ struct StrandGeneratorInput {
   bool moves = false;                                   ///< whether there is room for velocities
 };
 /// N4 and N5 on the device: the passes "smooth_strands" (one thread per vertex of a smoothed control hair) and
-/// "interpolate_strands" (one thread per run of drawn vertices, tangents included), one dispatch each, the latter for each
-/// part of the strands (drawn_parts.h). The formulas
-/// are those of bezier.glslh and tangent.glslh, so that smooth(), interpolate() and tangents() on the CPU agree within
-/// float rounding (strand_generator_test). Control positions: vec4 per control vertex, world metres, the fourth
-/// component unused.
+/// "interpolate_strands" (one thread per run of drawn vertices, tangents included), one dispatch each, the latter for
+/// each part of the strands (drawn_parts.h). The formulas are those of bezier.glslh and tangent.glslh, so that
+/// smooth(), interpolate() and tangents() on the CPU agree within float rounding (strand_generator_test). Control
+/// positions: vec4 per control vertex, world metres, the fourth component unused.
 class StrandGenerator : public DrawnStrands {
  public:
   /// Errors: bad_input names the strand whose hair or weight is wrong, or vertices_per_strand

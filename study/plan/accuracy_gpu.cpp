@@ -110,8 +110,8 @@ struct CellLight {
   }
 };
 
-/// Root mean square over the picture of the differences of mean T and mean true T of a cell, without the noise of a truth
-/// of points that are lit or not.
+/// Root mean square over the picture of the differences of mean T and mean true T of a cell, without the noise of a
+/// truth of points that are lit or not.
 double cell_error(const scene::Scene& scene, const Comparison& compared, const std::vector<float>& transmittance) {
   const shadows::LightAxes axes = shadows::light_axes(to_camera_of(scene));
   const shadows::LightBox box = shadows::light_box(axes, compared.points);

@@ -29,7 +29,7 @@ struct Drawing {
   double opacity = 1, budget_mib = 96, full_px = 0;
   std::int64_t slices = 0, coverage_rows = 8, lanes = 0;
   std::uint32_t vertices_per_strand = 2;  ///< what chance takes for one
-  std::uint32_t segment_parts = 1;  ///< of the segments, so many after each other lie on one line
+  std::uint32_t segment_parts = 1;        ///< of the segments, so many after each other lie on one line
   std::vector<glm::vec4> vertices, colors;
   std::vector<std::uint32_t> segments;
   float scene_depth = 1;                    ///< of the depth target

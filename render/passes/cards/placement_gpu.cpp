@@ -91,11 +91,11 @@ Result<Placement> Placement::make(gpu::Device& device, const Resources& resource
   if (shadows > 0) {
     CUTICLE_ASSIGN(placement.transmittance_, GatheredTransmittance::make(device, resources));
   }
-  CUTICLE_ASSIGN(placement.kernel_,
-                 device.make_kernel(cards_place_comp, {.storage_buffers = 7,
-                                                       .push_constant_bytes = sizeof(Push),
-                                                       .texels = {strands::drawn_texels(0),
-                                                                  GatheredTransmittance::texels(4)}}));
+  CUTICLE_ASSIGN(
+      placement.kernel_,
+      device.make_kernel(cards_place_comp, {.storage_buffers = 7,
+                                            .push_constant_bytes = sizeof(Push),
+                                            .texels = {strands::drawn_texels(0), GatheredTransmittance::texels(4)}}));
   return placement;
 }
 

@@ -1,6 +1,6 @@
 // Dual scattering (Zinke, Yuksel, Weber and Keyser 2008) from the averages of the fibre, per colour: what other fibres
 // have sent on to a point, and what comes back out of those around it. Before this stand
-// passes/lines/angles.glsl, passes/lines/transmittance.glsl and DUAL_BINDING.
+// render/strand_shading/angles.glsl, render/strand_shading/transmittance.glsl and DUAL_BINDING.
 #include "bsdf/dual_scattering/scattered_light.glslh"
 
 layout(std430, set = 0, binding = DUAL_BINDING) readonly buffer DualTerms {

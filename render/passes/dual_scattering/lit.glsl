@@ -1,5 +1,5 @@
 // A strand lit by one light: by the frame's `multiple`, or with dual scattering. Before this stand
-// passes/lines/scattering.glsl and what multiple_scattering.glsl asks for.
+// render/strand_shading/scattering.glsl and what multiple_scattering.glsl asks for.
 #include "render/passes/dual_scattering/multiple_scattering.glsl"
 
 vec3 lit(Arriving arriving, vec3 transmittance, float past, vec3 t, vec3 to_eye) {

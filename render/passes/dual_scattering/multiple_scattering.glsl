@@ -1,6 +1,6 @@
 // Light that other fibres have scattered, for any shader that lights strands. Before this stand
-// passes/lines/transmittance.glsl, passes/lines/angles.glsl, DUAL_CONSTANT, the number of the first of two specialisation
-// constants, and DUAL_BINDING, that of the first of two buffers (dual_scattering_gpu.h).
+// render/strand_shading/transmittance.glsl, render/strand_shading/angles.glsl, DUAL_CONSTANT, the number of the first of
+// two specialisation constants, and DUAL_BINDING, that of the first of two buffers (dual_scattering_gpu.h).
 layout(constant_id = DUAL_CONSTANT) const uint k_dual = 0u;  // 1: dual scattering in place of the frame's `multiple`
 layout(constant_id = DUAL_CONSTANT + 1) const uint k_surfaces = 0u;  // 1: surfaces cast too
 layout(std430, set = 0, binding = DUAL_BINDING + 1) readonly buffer Visibility { float visibility[]; };

@@ -14,13 +14,14 @@ constexpr std::string_view k_systems[] = {"N5"};
 }  // namespace
 
 const Pass& entry() {
-  static const Pass pass = with_uses(writing_drawn({.name = "interpolate_strands",
-                                                 .summary = "drawn strands between three smoothed control hairs each",
-                                                 .source = "Nguyen and Donnelly 2005, GPU Gems 2, chapter 23.2",
-                                                 .demands = k_demands,
-                                                 .systems = k_systems,
-                                                 .after = k_after}),
-                                     k_uses);
+  static const Pass pass =
+      with_uses(writing_drawn({.name = "interpolate_strands",
+                               .summary = "drawn strands between three smoothed control hairs each",
+                               .source = "Nguyen and Donnelly 2005, GPU Gems 2, chapter 23.2",
+                               .demands = k_demands,
+                               .systems = k_systems,
+                               .after = k_after}),
+                k_uses);
   return pass;
 }
 

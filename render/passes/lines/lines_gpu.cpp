@@ -81,13 +81,13 @@ class Lines : public GpuPass {
     if (packing_) packing_->record(commands, *hair.strands.vertices, *hair.tangents);
     begin(commands, resources);
     const dual_scattering::Inputs dual = dual_scattering::inputs_of(resources, inputs_.frame());
-    cull_strands::draw(commands, resources, *pipeline,
-                       {hair.strands.vertices, hair.tangents, &inputs_.transmittance(), &inputs_.frame(), dual.terms,
-                        dual.visibility, &cull_strands::list_of(resources, inputs_.frame()), &inputs_.scattered(),
-                        packing_ ? &packing_->vertices() : &inputs_.frame(),
-                        packing_ ? &packing_->strands() : &inputs_.frame()},
-                       {inputs_.table(resources, 0), inputs_.table(resources, 1), inputs_.table(resources, 2)}, {},
-                       k_corners * part.strands * part.segments);
+    cull_strands::draw(
+        commands, resources, *pipeline,
+        {hair.strands.vertices, hair.tangents, &inputs_.transmittance(), &inputs_.frame(), dual.terms, dual.visibility,
+         &cull_strands::list_of(resources, inputs_.frame()), &inputs_.scattered(),
+         packing_ ? &packing_->vertices() : &inputs_.frame(), packing_ ? &packing_->strands() : &inputs_.frame()},
+        {inputs_.table(resources, 0), inputs_.table(resources, 1), inputs_.table(resources, 2)}, {},
+        k_corners * part.strands * part.segments);
     commands.end_rendering();
     return {};
   }

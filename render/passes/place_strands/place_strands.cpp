@@ -16,10 +16,10 @@ constexpr std::string_view k_systems[] = {"N5"};
 const Pass& entry() {
   static const Pass pass =
       with_uses(writing_drawn({.name = "place_strands",
-                            .summary = "the strands of a file as they are, follow hairs beside guides",
-                            .source = "TressFX 3.1: follow hairs",
-                            .demands = k_demands,
-                            .systems = k_systems}),
+                               .summary = "the strands of a file as they are, follow hairs beside guides",
+                               .source = "TressFX 3.1: follow hairs",
+                               .demands = k_demands,
+                               .systems = k_systems}),
                 k_uses);
   return pass;
 }

@@ -18,11 +18,11 @@ constexpr std::string_view k_after[] = {"place_strands"};
 const Pass& entry() {
   static const Pass pass =
       with_uses(writing_drawn({.name = "place_velocities",
-                            .summary = "velocities of the vertices of strands that are drawn as they are given",
-                            .source = "Frostbite, Every Strand Counts (2023): what physics hands over",
-                            .demands = k_demands,
-                            .systems = k_systems,
-                            .after = k_after}),
+                               .summary = "velocities of the vertices of strands that are drawn as they are given",
+                               .source = "Frostbite, Every Strand Counts (2023): what physics hands over",
+                               .demands = k_demands,
+                               .systems = k_systems,
+                               .after = k_after}),
                 k_uses);
   return pass;
 }

@@ -94,9 +94,8 @@ class ShadeStrands : public GpuPass {
   void record_shade(gpu::Commands& commands, const Resources& resources, const strands::StrandPart& part) const {
     const DrawnHair& hair = resources.get<DrawnHair>();
     const gpu::Buffer* const listed = listed_seen(resources);
-    const std::uint32_t own = part.count * part.vertices_per_strand;
-    const ShadePush push{only_visible(resources), part.first * part.vertices_per_strand, own,
-                         listed ? 2u : point_px_ > 0 ? 1u : 0u};
+    const std::uint32_t own = part.count * part.vertices_per_strand, by_points = point_px_ > 0 ? 1 : 0;
+    const ShadePush push{only_visible(resources), part.first * part.vertices_per_strand, own, listed ? 2u : by_points};
     const gpu::Groups groups = gpu::groups_for(push.listed == 1 ? hair.strands.vertex_count : own);
     const gpu::Buffer colors = part.of(buffers_.colors);
     const dual_scattering::Inputs dual = dual_scattering::inputs_of(resources, inputs_.frame());
@@ -139,16 +138,21 @@ class ShadeStrands : public GpuPass {
 
 Result<Kernels> make_kernels(gpu::Device& device, const Resources& resources) {
   Kernels kernels;
-  CUTICLE_ASSIGN(kernels.choose, device.make_kernel(shade_choose_comp, {4, 0, sizeof(ChoosePush), {}, {strands::drawn_texels(0)}}));
+  CUTICLE_ASSIGN(kernels.choose,
+                 device.make_kernel(shade_choose_comp, {4, 0, sizeof(ChoosePush), {}, {strands::drawn_texels(0)}}));
   std::vector<std::uint32_t> constants =
       with_channels(dual_scattering::with_dual_scattering({}, resources), transmittance_of(resources).channels);
   constants.push_back(resources.get<FibreMaterial>().evaluates_directly ? 1 : 0);
   constants = strand_shading::with_layout(std::move(constants), bake_tables::table_set_of(resources));
   CUTICLE_ASSIGN(kernels.shade,
-                 device.make_kernel(shade_strands_comp, {10, 3, sizeof(ShadePush), constants,
+                 device.make_kernel(shade_strands_comp, {10,
+                                                         3,
+                                                         sizeof(ShadePush),
+                                                         constants,
                                                          {strands::drawn_texels(0), strands::drawn_texels(1),
                                                           GatheredTransmittance::texels(4)}}));
-  CUTICLE_ASSIGN(kernels.fill, device.make_kernel(shade_fill_comp, {4, 0, sizeof(FillPush), {}, {strands::drawn_texels(0)}}));
+  CUTICLE_ASSIGN(kernels.fill,
+                 device.make_kernel(shade_fill_comp, {4, 0, sizeof(FillPush), {}, {strands::drawn_texels(0)}}));
   return kernels;
 }
 

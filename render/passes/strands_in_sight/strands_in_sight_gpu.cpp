@@ -83,7 +83,8 @@ class InSight : public GpuPass {
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
   const DrawnHair& hair = resources.get<DrawnHair>();
   const std::size_t strands = hair.strands.vertex_count / std::max(1u, hair.vertices_per_strand), word = 4;
-  CUTICLE_ASSIGN(gpu::Kernel see, device->make_kernel(in_sight_see_comp, {2, 0, sizeof(Push), {}, {strands::drawn_texels(0)}}));
+  CUTICLE_ASSIGN(gpu::Kernel see,
+                 device->make_kernel(in_sight_see_comp, {2, 0, sizeof(Push), {}, {strands::drawn_texels(0)}}));
   CUTICLE_ASSIGN(gpu::Kernel list, device->make_kernel(in_sight_list_comp, {2, 0, sizeof(Push)}));
   CUTICLE_ASSIGN(gpu::Buffer seen, device->make_buffer(word * std::max<std::size_t>(1, (strands + 31) / 32)));
   StrandsInSight made;

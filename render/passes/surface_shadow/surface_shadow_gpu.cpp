@@ -300,10 +300,10 @@ Result<gpu::GraphicsPipeline> make_depth_pipeline(gpu::Device& device, std::span
 Result<Kernels> make_kernels(gpu::Device& device, const Resources& resources) {
   Kernels kernels;
   const gpu::ShaderInterface surfaces{3, 0, sizeof(glm::mat4)};
-  const gpu::ShaderInterface hair{3, 0, sizeof(HairPush), with_channels({}, hair_channels(resources)),
-                                 {strands::drawn_texels(1)}};
-  const gpu::ShaderInterface lookup{6, 1, sizeof(LookupPush), with_channels({}, transmittance_of(resources).channels),
-                                   {strands::drawn_texels(1)}};
+  const gpu::ShaderInterface hair{
+      3, 0, sizeof(HairPush), with_channels({}, hair_channels(resources)), {strands::drawn_texels(1)}};
+  const gpu::ShaderInterface lookup{
+      6, 1, sizeof(LookupPush), with_channels({}, transmittance_of(resources).channels), {strands::drawn_texels(1)}};
   CUTICLE_ASSIGN(kernels.surfaces, make_depth_pipeline(device, surface_shadow_vert, surface_shadow_frag, surfaces));
   CUTICLE_ASSIGN(kernels.hair, make_depth_pipeline(device, hair_shadow_vert, hair_shadow_frag, hair));
   CUTICLE_ASSIGN(kernels.lookup, device.make_kernel(surface_shadow_comp, lookup));
