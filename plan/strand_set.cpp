@@ -158,12 +158,12 @@ constexpr double k_long_segment = 0.01;  // metres
 /// Parts of long segments that are 4 mm, at most 8. Ours: chosen by direct light of grooms with segments of 16 and 37
 /// mm (docs/shadows.md).
 std::uint32_t chosen_parts(const scene::Scene& scene, const StrandSet& set, double segment) {
-  constexpr double k_wanted = 0.004, k_most = 8;                   // metres
-  constexpr double k_most_vertices = 4e6, k_most_scattered = 8e6;  // of all strands; times lights
+  constexpr double k_wanted = 0.004, k_most = 8;                     // metres
+  constexpr double k_max_cut_vertices = 4e6, k_max_scattered = 8e6;  // of all strands; times lights
   if (segment <= k_long_segment || scene.render_method == "lines") return 1;
   const double vertices = double(set.placed.size()) * strands::longest_strand(set.control);
   const double lights = scene.material.evaluate == "direct" ? double(scene.lights.size()) : 0;
-  const double room = std::min(k_most_vertices, k_most_scattered / std::max(1.0, lights)) / vertices;
+  const double room = std::min(k_max_cut_vertices, k_max_scattered / std::max(1.0, lights)) / vertices;
   return std::uint32_t(std::max(1.0, std::min({std::round(segment / k_wanted), k_most, std::floor(room)})));
 }
 

@@ -22,14 +22,14 @@ inline AngleRatio angle_ratio(double r) {
   return {value, first, (-inverse * inverse - first) / (2 * r) - first / r};
 }
 
-constexpr double k_most_bent = 0.8;  ///< square of the sine of half the angle: past it as rod_step.glslh, 127 degrees
+constexpr double k_max_bent = 0.8;  ///< square of the sine of half the angle: past it as rod_step.glslh, 127 degrees
 
 /// A vector part times this is the bend: twice the half angle over its sine.
 template <class Number>
 Number bend_over_sine(const Number& across, const Number& along) {
   const double s = value_of(across), c = value_of(along);
-  if (s > k_most_bent * (s + c)) {
-    const double scale = 2 * std::asin(std::sqrt(k_most_bent)) / std::sqrt(k_most_bent), n = s + c;
+  if (s > k_max_bent * (s + c)) {
+    const double scale = 2 * std::asin(std::sqrt(k_max_bent)) / std::sqrt(k_max_bent), n = s + c;
     return composed(across + along, scale / std::sqrt(n), -scale / (2 * n * std::sqrt(n)),
                     3 * scale / (4 * n * n * std::sqrt(n)));
   }

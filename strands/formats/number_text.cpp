@@ -12,9 +12,9 @@ namespace cuticle::strands {
 
 namespace {
 
-constexpr std::size_t k_block = 1 << 16;   ///< numbers that a thread writes at once
-constexpr std::size_t k_window = 64;       ///< blocks that are held before they are appended
-constexpr std::size_t k_most_digits = 16;  ///< -1.1754944e-38, 4294967295
+constexpr std::size_t k_block = 1 << 16;  ///< numbers that a thread writes at once
+constexpr std::size_t k_window = 64;      ///< blocks that are held before they are appended
+constexpr std::size_t k_max_digits = 16;  ///< -1.1754944e-38, 4294967295
 
 template <class T>
 std::string rows_of(std::span<const T> values, std::size_t components, const RowText& form) {
@@ -22,8 +22,8 @@ std::string rows_of(std::span<const T> values, std::size_t components, const Row
   text.reserve(values.size() * 12);
   for (std::size_t i = 0; i < values.size(); ++i) {
     text += i % components == 0 ? form.open : form.between;
-    char digits[k_most_digits];
-    text.append(digits, std::to_chars(digits, digits + k_most_digits, values[i]).ptr);
+    char digits[k_max_digits];
+    text.append(digits, std::to_chars(digits, digits + k_max_digits, values[i]).ptr);
     if ((i + 1) % components == 0 || i + 1 == values.size()) (text += form.close) += form.after;
   }
   return text;

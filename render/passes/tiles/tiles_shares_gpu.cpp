@@ -13,7 +13,7 @@ namespace cuticle::render::tiles {
 namespace {
 
 constexpr std::size_t k_head_words = 4, k_record_words = 8;  ///< of seen_shares.glsl
-constexpr std::size_t k_most_bytes = std::size_t(256) << 20;
+constexpr std::size_t k_max_bytes = std::size_t(256) << 20;
 
 std::span<const std::uint32_t> code_of(const FineForm& form) {
   using Code = std::span<const std::uint32_t>;
@@ -36,7 +36,7 @@ Result<std::vector<SeenShare>> shares_of_tiles(gpu::Device& device, const FineFo
                                                std::vector<const gpu::Buffer*> bound, const tile_lists::TilePush& push,
                                                glm::uvec2 grid) {
   CUTICLE_ASSIGN(const gpu::Kernel kernel, device.make_kernel(code_of(form), fine_interface(form, 9, false)));
-  const std::size_t bytes = std::min<std::size_t>(k_most_bytes, device.info().max_storage_buffer_bytes);
+  const std::size_t bytes = std::min<std::size_t>(k_max_bytes, device.info().max_storage_buffer_bytes);
   const std::size_t room = (bytes / sizeof(std::uint32_t) - k_head_words) / k_record_words;
   CUTICLE_ASSIGN(const gpu::Buffer records,
                  device.make_buffer((k_head_words + room * k_record_words) * sizeof(std::uint32_t)));
