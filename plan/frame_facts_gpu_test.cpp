@@ -169,7 +169,7 @@ TEST(FrameFacts, ListsBeyondTheirBudget_AreLearntOnce) {
   for (int frame = 1; frame < 6; ++frame) {
     const FrameResult result = frame_of(*made, frame);
     repeats += result.repeats;
-    EXPECT_THAT(result.notes, testing::Contains(testing::HasSubstr("of the segments drawn, wider")));
+    EXPECT_THAT(result.notes, testing::Contains(testing::HasSubstr("of the strands drawn, wider")));
   }
   EXPECT_LE(repeats, 1u);
 }

@@ -99,7 +99,7 @@ class TileListsPass : public GpuPass {
       settled.notes.push_back(fmt::format("tiles: {} segments left out: not finite", words[k_not_finite]));
     if (lists_.kept_share < 1)
       settled.notes.push_back(
-          fmt::format("tiles: {:.3g} of the segments drawn, wider, to stay within budget_mib", lists_.kept_share));
+          fmt::format("tiles: {:.3g} of the strands drawn, wider, to stay within budget_mib", lists_.kept_share));
     lists_.kept_share = share_for(words[k_wanted]);
     return settled;
   }

@@ -10,7 +10,7 @@ inline constexpr std::uint32_t k_tile = 8;  ///< pixels each way, as in tile_pus
 struct TileLists {
   glm::uvec2 grid{0};           ///< tiles
   std::uint32_t capacity = 0;   ///< entries that there is room for
-  double kept_share = 1;        ///< of the segments, in the frame being drawn
+  double kept_share = 1;        ///< of the strands, in the frame being drawn
   gpu::Buffer scene_depth;      ///< float per pixel: 1 / distance of the scene, 0 where there is none
   gpu::Buffer tile_depth;       ///< float per tile: the farthest of its pixels
   gpu::Buffer counts, offsets;  ///< uint per tile; offsets has one more

@@ -10,7 +10,7 @@ layout(push_constant) uniform Push {
   float pixel_scale;   // half a width in pixels = radius * this / depth
   float inverse_near, inverse_far;
   float tip_variation;
-  float kept_share;    // of the segments: below 1 only where the lists would pass their budget
+  float kept_share;    // of the strands: below 1 only where the lists would pass their budget
   float opacity;
   uint slices;         // of a tile's depth, within which nothing is sorted; 0: segments are sorted
   uint corner;         // of that part, tiles: x in the lower half
