@@ -8,6 +8,7 @@
 #include "gpu/groups.h"
 #include "shadows/map_strips_gpu.h"
 #include "strands/lod/strand_list_gpu.h"
+#include "strands/spline/drawn_gpu.h"
 
 #include <map_fit_comp.spv.h>
 
@@ -15,7 +16,7 @@ namespace cuticle::shadows {
 namespace {
 
 const MapPass k_fit{"shadow.fit", {}, {k_vertices, k_box}, MapRun::per_vertices};
-constexpr gpu::TexelBinding k_vertex_texels{0, gpu::TextureFormat::rgba32f}, k_segment_texels{1};
+const gpu::TexelBinding k_vertex_texels = strands::drawn_texels(0), k_segment_texels{1};
 
 /// Vertices and segments stand at the front.
 gpu::ShaderInterface interface_of(const MapPass& pass, std::uint32_t textures) {

@@ -55,7 +55,7 @@ TEST(ExactWhip, SmallDifferenceBefore_IsLargeAfter) {
   for (std::size_t i = 0; i < other.velocities.size(); ++i) {
     const glm::dvec3 link = other.places[i] - (i ? other.places[i - 1] : glm::dvec3(0));
     const glm::dvec3 across = glm::dvec3(-link.y, link.x, 0) * (i % 2 ? 1.0 : -1.0);
-    other.velocities[i] += 0.1 * across;  // some mm/s from link to link
+    other.velocities[i] += 0.1 * across;  // a millimetre a second, to and fro
   }
   advance_reference(other, k_step_of_truth, 7680);
   const double apart = rms_over_length(other.places, truth.places);

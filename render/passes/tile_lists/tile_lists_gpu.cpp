@@ -13,6 +13,7 @@
 #include "render/strand_shading/frame_gpu.h"
 #include "render/visibility/drawn_part_gpu.h"
 #include "strands/lod/strand_list_gpu.h"
+#include "strands/spline/drawn_gpu.h"
 
 #include <tile_count_comp.spv.h>
 #include <tile_scan_comp.spv.h>
@@ -145,8 +146,8 @@ std::uint32_t scan_lanes(const gpu::DeviceInfo& device, const Resources& resourc
 
 Result<Kernels> make_kernels(gpu::Device& device, const Resources& resources) {
   constexpr std::uint32_t bytes = sizeof(TilePush);
-  const std::vector<gpu::TexelBinding> walked = {{0, gpu::TextureFormat::rgba32f},
-                                                 {1, gpu::TextureFormat::rgba32f},
+  const std::vector<gpu::TexelBinding> walked = {strands::drawn_texels(0),
+                                                 strands::drawn_texels(1),
                                                  {2, gpu::TextureFormat::r32u},
                                                  {3, gpu::TextureFormat::r32f}};  // of tile_walk.glsl
   const std::uint32_t parts = listed_parts(resources);

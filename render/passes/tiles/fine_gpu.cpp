@@ -5,6 +5,7 @@
 #include "gpu/groups.h"
 #include "render/passes/tile_sort/tile_sort.h"
 #include "render/passes/tiles/tiles.h"
+#include "strands/spline/drawn_gpu.h"
 
 #include <tiles_prepare_comp.spv.h>
 
@@ -40,7 +41,7 @@ Result<gpu::Kernel> make_prepare(gpu::Device& device, std::size_t first, std::si
        0,
        sizeof(tile_lists::TilePush),
        {std::uint32_t(first), std::uint32_t(count), has_colors ? 1u : 0u, segment_parts},
-       {{0, gpu::TextureFormat::rgba32f}, {1, gpu::TextureFormat::rgba16f}, {2, gpu::TextureFormat::r32u}}});
+       {strands::drawn_texels(0), {1, gpu::TextureFormat::rgba16f}, {2, gpu::TextureFormat::r32u}}});
 }
 
 }  // namespace
