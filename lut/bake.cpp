@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/wall_clock.h"
 #include "lut/cell_average.h"
 
 namespace cuticle::lut {
@@ -275,7 +276,7 @@ Result<TableSet> bake(const bsdf::Model& model, const registry::ParameterValues&
   const auto start = std::chrono::steady_clock::now();
   const registry::ParameterValues held = table_values(model, values, layout);
   CUTICLE_ASSIGN(TableSet set, bake_from(cpu_source(model, held), held, layout, size, progress));
-  set.bake_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  set.bake_ms = milliseconds_since(start);
   set.baked_on = "cpu";
   return set;
 }

@@ -3,6 +3,7 @@
 #include <bit>
 #include <chrono>
 
+#include "core/wall_clock.h"
 #include "lut/bake_kernel_gpu.h"
 #include "lut/evaluate.h"
 
@@ -78,7 +79,7 @@ Result<TableSet> bake_gpu(gpu::Device& device, const bsdf::Model& model, const r
   }
   CUTICLE_TRY(fill_on_device(device, set));
   if (layout.solve) CUTICLE_TRY(layout.solve(source, set, silent_progress()));
-  set.bake_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  set.bake_ms = milliseconds_since(start);
   set.baked_on = device.info().name;
   return set;
 }

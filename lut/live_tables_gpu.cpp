@@ -4,14 +4,11 @@
 
 #include <fmt/format.h>
 
+#include "core/wall_clock.h"
 #include "lut/evaluate.h"
 
 namespace cuticle::lut {
 namespace {
-
-double ms_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 Result<std::vector<const TableLayout*>> device_tables(const Layout& layout) {
   std::vector<const TableLayout*> tables;
@@ -70,7 +67,7 @@ Result<void> LiveTables::start(const registry::ParameterValues& values) {
   commands.end_pass();
   CUTICLE_ASSIGN(running_, device_->start(std::move(commands)));
   baking_ = values;
-  cost_.host_ms = ms_since(started_);
+  cost_.host_ms = milliseconds_since(started_);
   return {};
 }
 
@@ -88,7 +85,7 @@ Result<void> LiveTables::swap() {
   CUTICLE_ASSIGN(const gpu::SubmitCost cost, ended.finish());
   cost_.device_ms = cost.passes[0].gpu_ms;
   cost_.dispatches = cost.passes[0].dispatches;
-  cost_.latency_ms = ms_since(started_);
+  cost_.latency_ms = milliseconds_since(started_);
   front_ = 1 - front_;
   set_.values = baking_;
   for (Table& table : set_.tables) table.caustic_index = cpu_source(*set_.model, baking_).caustic_index;

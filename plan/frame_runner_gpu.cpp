@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "core/wall_clock.h"
 #include "plan/camera_path.h"
 #include "plan/content_key.h"
 #include "plan/frame_cost_gpu.h"
@@ -21,10 +22,6 @@ namespace cuticle::plan {
 namespace {
 
 constexpr int k_none = -2;
-
-double milliseconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-}
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "bsdf/model.h"
+#include "core/wall_clock.h"
 
 namespace cuticle::play {
 
@@ -13,10 +14,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 using registry::EntryKind;
-
-double milliseconds_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 bool is_solver(const scene::Scene& scene, const registry::Entry& entry) {
   return scene.simulation.solver && scene.simulation.solver->name == entry.name;

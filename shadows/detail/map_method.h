@@ -4,17 +4,13 @@
 #include <span>
 #include <vector>
 
+#include "core/wall_clock.h"
 #include "shadows/detail/map_walk.h"
 #include "shadows/light_frame.h"
 #include "shadows/map_settings.h"
 #include "shadows/method.h"
 
 namespace cuticle::shadows {
-
-/// Milliseconds of wall clock since `start`.
-inline double milliseconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// What an integer of a map counts in the exponent of T: -k / scale.
 inline float exponent_per_unit(const MapSettings& settings, double scale) {
