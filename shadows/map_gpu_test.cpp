@@ -154,68 +154,6 @@ const std::vector<Comparison>& comparisons() {
   return all;
 }
 
-}  // namespace
-
-namespace {
-
-constexpr std::uint32_t k_parts = 4;  // fragments of a segment
-constexpr int k_side = 256;           // of their target
-
-struct Fragments {
-  std::vector<glm::vec3> points;
-  std::vector<SegmentPlace> places;
-  std::vector<std::uint32_t> strands, vertices;
-  std::vector<std::size_t> texels;
-};
-Fragments fragments_of(const Scene& scene) {
-  Fragments fragments;
-  for (std::size_t s = 0, segment = 0; s < scene.hair.strand_count(); ++s)
-    for (std::uint32_t v = scene.hair.offsets[s]; v + 1 < scene.hair.offsets[s + 1]; ++v, ++segment)
-      for (std::uint32_t part = 0; part < k_parts; ++part) {
-        const SegmentPlace place{scene.hair.positions[v], scene.hair.positions[v + 1], (float(part) + 0.5f) / k_parts};
-        fragments.places.push_back(place);
-        fragments.strands.push_back(std::uint32_t(s));
-        fragments.vertices.push_back(v);
-        fragments.points.push_back(place.from + place.fraction * (place.to - place.from));
-        constexpr std::size_t k_per_row = k_side / k_parts;
-        fragments.texels.push_back(segment / k_per_row * k_side + segment % k_per_row * k_parts + part);
-      }
-  return fragments;
-}
-
-/// T at the fragments; the time of the second of two drawings is printed.
-std::vector<float> draw_fragments(const registry::ParameterValues& values, Scene& scene, const Fragments& fragments) {
-  const auto shadow = (*find_gpu_method("opacity_map"))->create(device(), values).value();
-  const gpu::Texture target =
-      device()->make_texture({glm::ivec2(k_side), gpu::TextureFormat::r32f, gpu::Filter::nearest, 1, true}).value();
-  run(*shadow, scene);
-  double milliseconds = 0;
-  for (int i = 0; i < 2; ++i) {
-    gpu::Commands commands = device()->record();
-    EXPECT_TRUE(shadow->record_fragments(commands, scene.on_device->strands, scene.light, {&target, k_parts}));
-    milliseconds = device()->submit(std::move(commands)).value().passes[0].gpu_ms;
-  }
-  std::printf("%s, %s: %zu fragments in %.2f ms\n", scene.name.c_str(), values.choice("weights").c_str(),
-              fragments.points.size(), milliseconds);
-  const std::vector<float> pixels = device()->download(target).value();
-  std::vector<float> drawn;
-  for (const std::size_t texel : fragments.texels) drawn.push_back(pixels[texel]);
-  return drawn;
-}
-
-struct Differences {
-  double mean = 0, most = 0;
-};
-Differences differences(std::span<const float> a, std::span<const float> b) {
-  Differences result;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double difference = std::abs(double(a[i]) - double(b[i]));
-    result.mean += difference / double(a.size());
-    result.most = difference <= result.most ? result.most : difference;  // NaN is taken
-  }
-  return result;
-}
-
 /// A volume holds no segments without a length, and, by the width that they show, none along the light.
 bool is_unseen(const std::string& what) {
   return what.starts_with("voxel") && (what.ends_with("points") || what.ends_with("along the light"));
@@ -293,40 +231,6 @@ TEST(OpacityDrawn, Transmittance_AgreesWithTheTwin) {
       std::printf("%s: T differs by %.5f at most\n", comparison.what.c_str(), comparison.worst);
       EXPECT_LT(comparison.worst, 8e-3) << comparison.what;
     }
-}
-
-// N19: both kinds of tent weights, interpolated by the rasteriser, against the twin's; where strands run along the
-// light through all planes, the kinds differ.
-TEST(OpacityFragments, EitherWeights_AgreeWithTheTwin) {
-  for (Scene* scene : {&scenes()[0], &scenes()[2]}) {
-    const Fragments fragments = fragments_of(*scene);
-    std::vector<float> drawn[2];
-    for (const int per_vertex : {0, 1}) {
-      const std::string set = "resolution=96,form=graphics_8bit,weights=";
-      const auto values = tests::values_of("opacity_map", set + (per_vertex ? "per_vertex" : "per_fragment")).value();
-      drawn[per_vertex] = draw_fragments(values, *scene, fragments);
-      const Casters casters{&scene->hair, scene->alpha, scene->light.to_light, scene->light.position};
-      const Receivers receivers{fragments.points, fragments.strands, fragments.places, fragments.vertices};
-      const auto twin = (*find_method("opacity_map"))->evaluate(casters, receivers, values).value();
-      EXPECT_LT(differences(drawn[per_vertex], twin.values).most, 1e-5) << scene->name << per_vertex;
-    }
-    const Differences kinds = differences(drawn[0], drawn[1]);
-    std::printf("%s: weights per vertex change T by %.5f in the mean, %.4f at most\n", scene->name.c_str(), kinds.mean,
-                kinds.most);
-    EXPECT_TRUE(scene != &scenes()[2] || kinds.mean > 0.01);
-  }
-}
-
-TEST(OpacityFragments, FormWithoutTargetsOrTooSmallATarget_IsRefused) {
-  const gpu::Texture target =
-      device()->make_texture({glm::ivec2(k_side), gpu::TextureFormat::r32f, gpu::Filter::nearest, 1, true}).value();
-  for (const std::string form : {"compute", "graphics_half"}) {
-    const auto values = tests::values_of("opacity_map", "form=" + form).value();
-    const auto shadow = (*find_gpu_method("opacity_map"))->create(device(), values).value();
-    gpu::Commands commands = device()->record();
-    const std::uint32_t parts = form == "compute" ? 1 : 2 * k_parts;
-    EXPECT_FALSE(shadow->record_fragments(commands, scenes()[0].on_device->strands, {{0, 1, 0}}, {&target, parts}));
-  }
 }
 
 TEST(MapGpu, TwoRuns_BitIdentical) {

@@ -39,8 +39,6 @@ class MapShadowGpu : public GpuShadow {
                       const gpu::Buffer& transmittance) override;
   Result<bool> record_counts(gpu::Commands& commands, const GpuStrands& strands, double alpha,
                              const LightSource& light) override;
-  Result<void> record_fragments(gpu::Commands& commands, const GpuStrands& strands, const LightSource& light,
-                                const FragmentTarget& target) override;
   Result<MapRoom> settle() override;
   std::uint32_t dispatches_per_frame(const GpuStrands& strands) const override;
   std::size_t bytes() const override;
@@ -49,7 +47,6 @@ class MapShadowGpu : public GpuShadow {
 
  private:
   Result<void> make_drawing();
-  Result<void> make_fragments();
   Result<void> make_kernels();
   Result<void> record_passes(std::size_t passes, gpu::Commands& commands, const GpuStrands& strands, double alpha,
                              const LightSource& light, const gpu::Buffer& transmittance);
@@ -73,7 +70,7 @@ class MapShadowGpu : public GpuShadow {
   bool has_run_ = false;  // the passes, by the last record
   std::vector<gpu::Buffer> own_;
   std::vector<gpu::Texture> targets_;
-  gpu::GraphicsPipeline drawing_, fragments_;
+  gpu::GraphicsPipeline drawing_;
   gpu::Kernel fit_;
   std::vector<gpu::Kernel> kernels_;  // one per pass
 };
@@ -91,18 +88,7 @@ Result<void> MapShadowGpu::make() {
   CUTICLE_ASSIGN(all_receive_, strands::make_no_strand_list(*device_));
   CUTICLE_TRY(deposits_.make(*device_, description_.settings.accumulation, description_.after_deposits));
   if (description_.drawing.targets > 0) CUTICLE_TRY(make_drawing());
-  if (!description_.fragments.vertex_code.empty()) CUTICLE_TRY(make_fragments());
   return make_kernels();
-}
-
-Result<void> MapShadowGpu::make_fragments() {
-  gpu::GraphicsDescription pipeline;
-  pipeline.vertex_spirv = description_.fragments.vertex_code;
-  pipeline.fragment_spirv = description_.fragments.fragment_code;
-  pipeline.interface = {4, description_.drawing.targets, sizeof(MapPush), {}, {k_vertex_texels, k_segment_texels}};
-  pipeline.color_formats = {gpu::TextureFormat::r32f};
-  CUTICLE_ASSIGN(fragments_, device_->make_graphics(pipeline));
-  return {};
 }
 
 Result<void> MapShadowGpu::make_drawing() {
@@ -333,31 +319,6 @@ bool MapShadowGpu::grow(std::uint64_t room) {
   need.room = room;
   description_.layers = std::uint32_t(room);
   return true;
-}
-
-Result<void> MapShadowGpu::record_fragments(gpu::Commands& commands, const GpuStrands& strands,
-                                            const LightSource& light, const FragmentTarget& target) {
-  if (description_.fragments.vertex_code.empty()) return GpuShadow::record_fragments(commands, strands, light, target);
-  const glm::ivec2 size = target.texture->size();
-  const std::uint64_t side = std::uint64_t(size.x), per_row = side / std::max(1u, target.per_segment);
-  if (size.x != size.y || target.per_segment == 0 || per_row * side < strands.segment_count)
-    return usage_error(fmt::format("{}: a target of {} x {} texels does not hold {} fragments of {} segments",
-                                   description_.settings.method, size.x, size.y, target.per_segment,
-                                   strands.segment_count));
-  CUTICLE_ASSIGN(const LightAxes axes, light_axes(light, strands.bounds));
-  MapPush push = push_for(axes, strands);
-  push.count = strands.segment_count;
-  push.own[1] = float(target.per_segment);
-  push.own[2] = float(size.x);
-  const gpu::Commands::Target targets[] = {{.color = target.texture}};
-  commands.begin_pass("shadow.fragments");
-  commands.begin_rendering(targets, nullptr);
-  commands.draw(fragments_, {strands.vertices, strands.segments, &box_, &deposits_.buffer()},
-                {&targets_[0], &targets_[1], &targets_[2], &targets_[3]}, gpu::bytes_of(push),
-                6 * strands.segment_count);
-  commands.end_rendering();
-  commands.end_pass();
-  return {};
 }
 
 std::uint32_t MapShadowGpu::dispatches_per_frame(const GpuStrands& strands) const {

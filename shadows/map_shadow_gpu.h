@@ -63,12 +63,6 @@ struct MapDrawing {
   std::uint32_t targets = 0;
   gpu::TextureFormat format = gpu::TextureFormat::rgba8;
 };
-/// N19: a lookup where strands are drawn: two triangles a segment, which cover its texels of a FragmentTarget. Bound to
-/// vertices, segments, box, deposits and the targets of MapDrawing; own[1], own[2]: parts of a segment, side of the
-/// target.
-struct FragmentDrawing {
-  std::span<const std::uint32_t> vertex_code, fragment_code;
-};
 struct MapDescription {
   MapSettings settings;
   float intervals = 1;           ///< depth steps of the view
@@ -82,7 +76,6 @@ struct MapDescription {
   std::vector<MapBuffer> buffers;
   MapNeed need;
   MapDrawing drawing;           ///< "shadow.draw", after "shadow.fit", where it has targets
-  FragmentDrawing fragments;    ///< GpuShadow::record_fragments, "shadow.fragments", where it has code
   std::vector<MapPass> passes;  ///< after "shadow.clear" (fills), "shadow.fit" and the drawing
 };
 

@@ -26,13 +26,6 @@ struct GpuStrands {
   const gpu::Buffer* receivers = nullptr;
 };
 
-/// Transmittance at fragments: the middles of `per_segment` equal parts of every segment, in a square target of format
-/// r32f whose rows hold them segment by segment, side / per_segment segments a row.
-struct FragmentTarget {
-  const gpu::Texture* texture = nullptr;
-  std::uint32_t per_segment = 1;
-};
-
 /// Whether a map had room for all that casts.
 struct MapRoom {
   bool holds = true;      ///< false: more room was made; record and submit again
@@ -50,10 +43,6 @@ class GpuShadow {
   /// Records only that by which settle() learns how much room the map takes, which a first picture wants to know before
   /// it is filled. False: nothing was recorded, as the room is known or nothing casts. Errors: those of `record`.
   virtual Result<bool> record_counts(gpu::Commands&, const GpuStrands&, double, const LightSource&) { return false; }
-  /// After `record` with the same strands and light: transmittance at points between vertices, looked up in the map.
-  /// Error: usage, of a method whose map is not looked up there, or where the target has no room for all segments.
-  virtual Result<void> record_fragments(gpu::Commands& commands, const GpuStrands& strands, const LightSource& light,
-                                        const FragmentTarget& target);
   /// After a submission of `record`: what found no room is never left out without a word. Errors: of the device.
   virtual Result<MapRoom> settle() { return MapRoom{}; }
   /// Dispatches that `record` will make: what a plan prints.

@@ -4,6 +4,7 @@
 layout(local_size_x = 64) in;
 #include "shadows/fibres.glslh"
 #include "shadows/map_filter.glsl"
+#include "shadows/opacity_map/ends.glsl"
 #define STRAND_LIST_BINDING 7
 #include "strands/lod/strand_list.glsl"
 
@@ -22,7 +23,7 @@ void own_deposit(uint covered, uint depth_step) {
   own_farther += depth_step <= slice_behind ? amount : 0u;
 }
 
-float exponent_at(uint texel, float z) {
+float exponent_before(uint texel, float z) {
   const float limited = min(z, float(push.layers));
   slice_behind = min(uint(limited), push.layers - 1u);
   own_nearer = own_farther = 0u;
@@ -37,10 +38,17 @@ float exponent_at(uint texel, float z) {
   return before + seen_exponent(fibres_of(between, fibre_exponent), exponent, before, lookup_power);
 }
 
+float exponent_at(uint texel, float z) {
+  if (!is_between_ends) return exponent_before(texel, z);
+  return mix(exponent_before(texel, depths_of_ends[0]), exponent_before(texel, depths_of_ends[1]), share_of_last);
+}
+
 void main() {
   const uint v = listed_vertex(invocation());
   if (v >= push.count) return;
   fibre_exponent = push.per_unit * float(table[fibre_coverage(fibre_weights, fibre_coverages)]);
-  const float through = transmittance_of_vertex(placement_of(least), v, push.intervals);
+  const MapPlacement placement = placement_of(least);
+  find_ends(placement, v);
+  const float through = transmittance_of_vertex(placement, v, push.intervals);
   if (through >= 0.0) transmittance[v] = through;
 }

@@ -1,12 +1,10 @@
 // N17 on the GPU: clear (fills), fit, splat, scan, lookup; the integers of its map equal the CPU's. N18: fit, draw,
-// lookup. N19: a further lookup where strands are drawn.
+// lookup.
 #include "shadows/map_shadow_gpu.h"
 #include "shadows/opacity_map/map.h"
 
 #include <opacity_draw_frag.spv.h>
 #include <opacity_draw_vert.spv.h>
-#include <opacity_fragments_frag.spv.h>
-#include <opacity_fragments_vert.spv.h>
 #include <opacity_lookup_comp.spv.h>
 #include <opacity_splat_comp.spv.h>
 #include <opacity_target_lookup_comp.spv.h>
@@ -15,8 +13,7 @@ namespace cuticle::shadows::opacity_map {
 namespace {
 
 constexpr int k_sums = k_own, k_fibre = k_own + 1;
-constexpr std::uint32_t k_scattered_flag = 4;       // k_scattered of opacity_lookup.comp
-constexpr std::uint32_t k_vertex_weights_flag = 2;  // k_vertex_weights of opacity_fragments.frag
+constexpr std::uint32_t k_scattered_flag = 4;  // k_scattered of opacity_lookup.comp
 
 /// N18: what is drawn, and the lookup of the targets.
 MapDescription describe_drawn(const Settings& settings) {
@@ -27,8 +24,6 @@ MapDescription describe_drawn(const Settings& settings) {
   map.own = {float(settings.map.accumulation.k)};
   map.drawing = {opacity_draw_vert, opacity_draw_frag, k_target_planes / 4,
                  settings.form == Form::graphics_8bit ? gpu::TextureFormat::rgba8 : gpu::TextureFormat::rgba16f};
-  map.flags = settings.vertex_weights ? k_vertex_weights_flag : 0;
-  map.fragments = {opacity_fragments_vert, opacity_fragments_frag};
   map.passes = {{"shadow.lookup",
                  opacity_target_lookup_comp,
                  {k_vertices, k_segments, k_box, k_deposits, k_transmittance, k_receivers},
@@ -37,8 +32,7 @@ MapDescription describe_drawn(const Settings& settings) {
   return map;
 }
 
-MapDescription description(const Settings& settings) {
-  if (settings.form != Form::compute) return describe_drawn(settings);
+MapDescription describe_computed(const Settings& settings) {
   MapDescription map;
   map.settings = settings.map;
   map.intervals = settings.intervals();
@@ -55,6 +49,12 @@ MapDescription description(const Settings& settings) {
                  {k_vertices, k_segments, k_box, k_deposits, k_sums, k_fibre, k_transmittance, k_receivers},
                  MapRun::per_vertex}};
   for (MapPass& pass : map.passes) pass.per_strip = true;
+  return map;
+}
+
+MapDescription description(const Settings& settings) {
+  MapDescription map = settings.form == Form::compute ? describe_computed(settings) : describe_drawn(settings);
+  map.passes.back().constants = {settings.vertex_weights ? 1u : 0u};  // VERTEX_WEIGHTS of ends.glsl
   return map;
 }
 
