@@ -7,9 +7,8 @@
 #include "bsdf/shared/adaptive_quadrature.glslh"
 #include "lut/caustic.glslh"
 
-layout(constant_id = 0) const uint k_words_per_texel = 2u;  // 2: four halves; 5: four floats and whether a caustic lies inside
+const uint k_texel_words = 5u;  // of bake_kernel_gpu.h: four floats, and whether a caustic lies inside
 const int k_none = -1, k_mean = 1, k_cos_theta_d = 2;
-const float k_largest_half = 65504.0;
 const float k_tolerance = 3e-4;  // of a mean by quadrature: below what a half holds
 const float k_end_gap = 0.008544628637;  // from the outermost of 15 nodes to the end of [-1, 1]
 
@@ -88,13 +87,7 @@ vec3 value_of(ivec4 term, TexelPoint p, inout bool singular) {
 }
 
 void store(uint texel, vec4 value, bool singular) {
-  uint first = texel * k_words_per_texel;
-  if (k_words_per_texel == 2u) {
-    vec4 held = min(value, vec4(k_largest_half));
-    words[first] = packHalf2x16(held.xy);
-    words[first + 1u] = packHalf2x16(held.zw);
-    return;
-  }
+  uint first = texel * k_texel_words;
   for (uint c = 0u; c < 4u; ++c) words[first + c] = floatBitsToUint(value[c]);
   words[first + 4u] = uint(singular);
 }

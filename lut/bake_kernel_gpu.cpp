@@ -55,7 +55,8 @@ bool has_means(const TableLayout& table) {
 
 bool is_from_caustic(const TableLayout& table) { return table.u.quantity == AxisQuantity::from_caustic; }
 
-/// Beside a caustic phi is the axis' value and begin its gap: the kernel knows the parameters, and so the caustic's place.
+/// Beside a caustic phi is the axis' value and begin its gap: the kernel knows the parameters, and so the caustic's
+/// place.
 TexelPoint point_of(const TableLayout& table, glm::ivec2 texels, int x, int y) {
   const double u = (x + 0.5) / texels.x, v = (y + 0.5) / texels.y;
   const double u_value = axis_value(table.u, texels.x, u), v_value = axis_value(table.v, texels.y, v);
@@ -88,18 +89,14 @@ bool is_baked_on_device(const TableLayout& table) {
 }
 
 Result<BakeKernel> BakeKernel::make(gpu::Device& device, const bsdf::Model& model,
-                                    std::vector<const TableLayout*> tables, int size, TexelWords words) {
+                                    std::vector<const TableLayout*> tables, int size) {
   CUTICLE_TRY(check_size(size));
   const std::span<const std::uint32_t> spirv = shader_of(model);
   if (spirv.empty()) return usage_error(fmt::format("model {} has no GPU kernel", model.entry.name), "--on cpu");
   BakeKernel made;
   made.model_ = &model;
   made.tables_ = std::move(tables);
-  made.words_ = words;
-  CUTICLE_ASSIGN(made.kernel_,
-                 device.make_kernel(spirv, {.storage_buffers = 4,
-                                            .push_constant_bytes = sizeof(float),
-                                            .specialization = {std::uint32_t(words)}}));
+  CUTICLE_ASSIGN(made.kernel_, device.make_kernel(spirv, {.storage_buffers = 4, .push_constant_bytes = sizeof(float)}));
   CUTICLE_TRY(made.describe(device, size));
   return made;
 }
@@ -109,7 +106,6 @@ Result<void> BakeKernel::describe(gpu::Device& device, int size) {
   std::vector<TexelPoint> points;
   for (const TableLayout* table : tables_) {
     const glm::ivec2 texels = table_size(*table, size);
-    first_texels_.push_back(points.size());
     TableRecord& record = records.emplace_back();
     record.first = std::uint32_t(points.size());
     record.count = std::uint32_t(texels.x * texels.y);
@@ -119,7 +115,7 @@ Result<void> BakeKernel::describe(gpu::Device& device, int size) {
     for (int y = 0; y < texels.y; ++y)
       for (int x = 0; x < texels.x; ++x) points.push_back(point_of(*table, texels, x, y));
   }
-  first_texels_.push_back(points.size());
+  texels_ = points.size();
   CUTICLE_ASSIGN(
       parameters_,
       device.make_buffer(model_->pack(registry::default_values(model_->entry.parameters)).size() * sizeof(float)));
@@ -128,7 +124,7 @@ Result<void> BakeKernel::describe(gpu::Device& device, int size) {
   return {};
 }
 
-std::size_t BakeKernel::bytes() const { return offset_of(tables_.size()); }
+std::size_t BakeKernel::bytes() const { return texels_ * k_texel_words * 4; }
 
 void BakeKernel::record(gpu::Commands& commands, const registry::ParameterValues& values,
                         const gpu::Buffer& texels) const {

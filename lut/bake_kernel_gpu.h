@@ -12,8 +12,8 @@ struct BakeShader {
 };
 std::span<const BakeShader> bake_shaders();
 
-/// What a texel becomes: four halves, as a texture takes them, or four floats and a flag for a caustic.
-enum class TexelWords : std::uint32_t { halves = 2, floats_and_flag = 5 };
+/// Of a texel: four floats, and whether a caustic lies inside.
+inline constexpr std::size_t k_texel_words = 5;
 
 /// Whether bake.comp makes every channel of a table: M, N and means of N of the model, and cos theta_d.
 bool is_baked_on_device(const TableLayout& table);
@@ -23,12 +23,10 @@ class BakeKernel {
  public:
   /// Error: usage for a size that bake refuses, a lobe that the model lacks, or a model without a kernel.
   static Result<BakeKernel> make(gpu::Device& device, const bsdf::Model& model, std::vector<const TableLayout*> tables,
-                                 int size, TexelWords words);
+                                 int size);
   /// Records the bake into the buffer, which has bytes() bytes.
   void record(gpu::Commands& commands, const registry::ParameterValues& values, const gpu::Buffer& texels) const;
   std::size_t bytes() const;
-  /// Where a table begins in the buffer.
-  std::size_t offset_of(std::size_t table) const { return first_texels_[table] * std::size_t(words_) * 4; }
 
  private:
   BakeKernel() = default;
@@ -36,10 +34,9 @@ class BakeKernel {
 
   const bsdf::Model* model_ = nullptr;
   std::vector<const TableLayout*> tables_;
-  TexelWords words_ = TexelWords::halves;
   gpu::Kernel kernel_;
   gpu::Buffer parameters_, table_records_, points_;
-  std::vector<std::size_t> first_texels_;  ///< of each table, and the end
+  std::size_t texels_ = 0;
   std::uint32_t groups_ = 0;
 };
 

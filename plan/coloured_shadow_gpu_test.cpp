@@ -140,7 +140,7 @@ void expect_agreement(const std::string& method, std::string_view more) {
   const scene::Scene scene = scene_of({k_two_lights, shadow_of(method, "[0.1, 0.3, 0.8]", more)});
   const auto on_device = *shadows::upload_groom(*device(), hair);
   render::Resources resources;
-  resources.edit<render::FibreMaterial>().fibre_alpha = *scene.fibre_alpha;
+  resources.edit<render::FibreOpacity>().alpha = *scene.fibre_alpha;
   resources.edit<render::Lights>().all = scene.lights;
   resources.edit<render::DrawnHair>().strands = resources.edit<render::DrawnHair>().casters = on_device->strands;
   auto shadows = render::HairShadows::create(device(), method, scene.shadow->values, resources);

@@ -20,7 +20,7 @@ namespace {
 using render::Access, render::Use;
 
 constexpr Use k_shadow_uses[] = {
-    render::reads<render::Lights>(), render::reads<render::FibreMaterial>(), render::reads<render::DrawnHair>(),
+    render::reads<render::Lights>(), render::reads<render::FibreOpacity>(), render::reads<render::DrawnHair>(),
     render::may_read<render::strands_in_sight::StrandsInSight>(), render::writes<render::HairTransmittance>()};
 
 bool is_output(const Use& use) { return use.access == Access::writes || use.access == Access::changes; }

@@ -23,6 +23,16 @@ namespace {
 
 constexpr int k_none = -2;
 
+bool same_but_for_parameters(scene::MaterialSource a, const scene::MaterialSource& b) {
+  a.model.values = b.model.values;
+  return a == b;
+}
+
+bool has_same_passes(const Plan& a, const Plan& b) {
+  return std::ranges::equal(a.passes, b.passes, {}, &PlannedPass::entry, &PlannedPass::entry) &&
+         std::ranges::equal(a.resources, b.resources, {}, &PlannedResource::name, &PlannedResource::name);
+}
+
 }  // namespace
 
 struct FrameRunner::Impl {
@@ -107,16 +117,26 @@ struct FrameRunner::Impl {
     CUTICLE_TRY(check_told_strands(next));
     painted = passed = k_none;
     const bool moves = next.simulation != scene.simulation;
-    const bool draws = next.material != scene.material || next.shadow != scene.shadow || next.passes != scene.passes ||
-                       next.render_method != scene.render_method;
+    const bool other_passes = next.shadow != scene.shadow || next.passes != scene.passes ||
+                              next.render_method != scene.render_method ||
+                              !same_but_for_parameters(next.material, scene.material);
+    const bool draws = other_passes || next.material != scene.material;
     scene::Scene scene_before = std::exchange(scene, next);
     leave_out_missing_head();
     Plan plan_before = std::exchange(plan, planned());
-    Result<void> made = make(moves, draws && scene.outputs.color, progress);
+    const bool keeps_picture = picture && draws && !other_passes && !moves && has_same_passes(plan, plan_before);
+    Result<void> made = keeps_picture ? take_parameters(progress) : make(moves, draws && scene.outputs.color, progress);
     if (made) return made;
     scene = std::move(scene_before);
     plan = std::move(plan_before);
+    if (keeps_picture) CUTICLE_TRY(make(false, true, progress));
     return made;
+  }
+
+  /// Of the scene's model, by the picture as it is where its passes can.
+  Result<void> take_parameters(Progress& progress) {
+    CUTICLE_ASSIGN(const bool taken, picture->take_parameters(progress));
+    return taken ? Result<void>() : make(false, true, progress);
   }
 
   Camera camera(int frame) const {

@@ -44,7 +44,8 @@ Result<std::unique_ptr<Picture>> Picture::create(std::shared_ptr<gpu::Device> de
 template <class Property>
 Property Picture::planned(Property render::Pass::*property) const {
   for (const PlannedPass& planned : plan_.passes)
-    if (const render::Pass* const pass = render::pass_of(*planned.entry); pass && pass->*property) return pass->*property;
+    if (const render::Pass* const pass = render::pass_of(*planned.entry); pass && pass->*property)
+      return pass->*property;
   return {};
 }
 
@@ -116,8 +117,8 @@ Result<void> Picture::make_material() {
                                        .values = &scene_.material.model.values,
                                        .layout = scene_.material.layout,
                                        .lut_size = scene_.material.lut_size,
-                                       .evaluates_directly = scene_.material.evaluate == "direct",
-                                       .fibre_alpha = scene_.fibre_alpha.value_or(glm::dvec3(set_.opacity))});
+                                       .evaluates_directly = scene_.material.evaluate == "direct"});
+  resources_.put(render::FibreOpacity{scene_.fibre_alpha.value_or(glm::dvec3(set_.opacity))});
   return {};
 }
 
@@ -182,6 +183,22 @@ Result<void> Picture::make_passes() {
   return check_uses();
 }
 
+Result<bool> Picture::take_parameters(Progress& progress) {
+  resources_.progress = &progress;
+  for (DrawnPass& drawn : passes_) {
+    const auto material = render::name_of<render::FibreMaterial>();
+    if (std::ranges::find(drawn.uses, material, &render::Use::resource) == drawn.uses.end()) continue;
+    resources_.begin_uses(drawn.name, drawn.uses);
+    CUTICLE_ASSIGN(const bool taken,
+                   memory_.count(drawn.name, [&] { return drawn.pass->take_parameters(resources_); }));
+    if (!taken) return false;
+    drawn.pass->publish(resources_);
+  }
+  resources_.end_uses();
+  CUTICLE_TRY(check_uses());
+  return true;
+}
+
 /// A pass that reads what it does not declare would run before it is there, or without it.
 Result<void> Picture::check_uses() const {
   if (resources_.undeclared().empty()) return {};
@@ -193,9 +210,9 @@ std::uint32_t Picture::strands_of_level() const {
   return render::visibility::drawn_part(resources_, resources_.get<render::StrandDraw>().full_px).strands;
 }
 
-/// H11: shadows cast by a prefix of the strands drawn, which are in random order, and received by all. A level of detail
-/// that draws a share of them lets the root of that share cast: strands that stand for n leave out the shadow that these
-/// would cast on each other, so that hair far away would be too bright.
+/// H11: shadows cast by a prefix of the strands drawn, which are in random order, and received by all. A level of
+/// detail that draws a share of them lets the root of that share cast: strands that stand for n leave out the shadow
+/// that these would cast on each other, so that hair far away would be too bright.
 shadows::GpuStrands Picture::casters() const {
   const render::DrawnHair& hair = resources_.get<render::DrawnHair>();
   shadows::GpuStrands strands = hair.strands;

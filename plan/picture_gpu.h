@@ -45,6 +45,9 @@ class Picture {
   static Result<std::unique_ptr<Picture>> create(std::shared_ptr<gpu::Device> device, const scene::Scene& scene,
                                                  const StrandSet& set, const Plan& plan, const Camera& first_camera,
                                                  Progress& progress);
+  /// The scene's model has other parameters: makes anew only what they touch. False: the whole picture must be made
+  /// anew, as after an error.
+  Result<bool> take_parameters(Progress& progress);
   /// Device memory by pass, with "drawn strands" and "targets".
   const MemoryMeter& memory() const { return memory_; }
   /// Runs the frame's passes after the simulation, in one submission, a large picture chunk by chunk. Where a pass's

@@ -11,7 +11,7 @@ Result<std::unique_ptr<GpuPass>> HairShadows::create(const std::shared_ptr<gpu::
                                                      std::string_view method, const registry::ParameterValues& values,
                                                      const Resources& resources) {
   auto made = std::make_unique<HairShadows>();
-  made->channels_ = shadows::different_channels(resources.get<FibreMaterial>().fibre_alpha);
+  made->channels_ = shadows::different_channels(resources.get<FibreOpacity>().alpha);
   const std::size_t lights = resources.get<Lights>().all.size();
   CUTICLE_TRY(made->make_methods(device, method, values, lights));
   for (std::size_t k = 0; k < lights * made->channels_.count; ++k) {

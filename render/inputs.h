@@ -37,9 +37,13 @@ struct FibreMaterial {
   std::string layout;                                 ///< of its tables
   int lut_size = 128;
   bool evaluates_directly = false;  ///< strands are shaded by the model's formulas, not by tables
-  glm::dvec3 fibre_alpha{0.4};      ///< opacity of one crossing per channel, as shadows have it
 };
 constexpr std::string_view resource_name(const FibreMaterial*) { return "material"; }
+
+struct FibreOpacity {
+  glm::dvec3 alpha{0.4};  ///< of one crossing per channel, as shadows have it
+};
+constexpr std::string_view resource_name(const FibreOpacity*) { return "opacity"; }
 
 struct Surfaces {
   const strands::Mesh* head = nullptr;   ///< rest pose; null: none

@@ -39,8 +39,11 @@ struct FileLayer {
 class GpuPass {
  public:
   virtual ~GpuPass() = default;
-  /// Adds what other passes read and this one owns; called once, before the later ones are made.
+  /// Adds what other passes read and this one owns; called before the later ones are made, and after take_parameters.
   virtual void publish(Resources&) const {}
+  /// The model of FibreMaterial, which the pass reads, has other parameters: takes them on for the frames to come.
+  /// False: the pass must be made anew. Error: of parameters that it refuses; the pass is then not to be used.
+  virtual Result<bool> take_parameters(const Resources&) { return false; }
   /// What the pass wants of a frame's view, before anything is recorded.
   virtual void change_view(FrameView&, const PassParameters&) const {}
   /// After the submission: the picture, of a pass that makes it on the CPU.

@@ -12,6 +12,7 @@ Resources::Resources() {
   put(FrameView{});
   put(Lights{});
   put(FibreMaterial{});
+  put(FibreOpacity{});
   put(Surfaces{});
   put(DrawnHair{});
   put(Targets{});

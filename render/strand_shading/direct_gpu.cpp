@@ -40,7 +40,8 @@ Result<void> check(const gpu::Device& device, const Resources& resources) {
   const std::uint64_t bytes =
       hair.strands.vertex_count * k_value_bytes * std::max<std::size_t>(1, resources.get<Lights>().all.size());
   const std::uint64_t most = device.info().max_storage_buffer_bytes;
-  if (std::max<std::uint64_t>(bytes, hair.strands.vertex_count * k_point_bytes) <= most) return {};
+  if (std::max<std::uint64_t>(bytes, hair.strands.vertex_count * k_point_bytes) <= most)
+    return bsdf::check_loops(device, model, evaluated_values(resources), bsdf::Quantity::S);
   return bad_input(fmt::format("material.evaluate = 'direct': {} vertices times {} lights pass the device's largest "
                                "buffer of {} bytes",
                                hair.strands.vertex_count, resources.get<Lights>().all.size(), most),
@@ -50,10 +51,8 @@ Result<void> check(const gpu::Device& device, const Resources& resources) {
 }  // namespace
 
 Result<DirectScattering> DirectScattering::make(gpu::Device& device, const Resources& resources) {
-  const FibreMaterial& material = resources.get<FibreMaterial>();
   CUTICLE_TRY(check(device, resources));
-  CUTICLE_TRY(bsdf::check_loops(device, *material.model, evaluated_values(resources), bsdf::Quantity::S));
-  CUTICLE_ASSIGN(bsdf::GpuEvaluator evaluator, bsdf::GpuEvaluator::make(device, *material.model));
+  CUTICLE_ASSIGN(bsdf::GpuEvaluator evaluator, bsdf::GpuEvaluator::make(device, *resources.get<FibreMaterial>().model));
   CUTICLE_ASSIGN(
       gpu::Kernel angles,
       device.make_kernel(strand_angles_comp,
@@ -68,17 +67,19 @@ Result<DirectScattering> DirectScattering::make(gpu::Device& device, const Resou
   return direct;
 }
 
-Result<void> DirectScattering::record(gpu::Device& device, gpu::Commands& commands, const Resources& resources,
-                                      const gpu::Buffer& frame, const gpu::Buffer* listed) {
-  const FibreMaterial& material = resources.get<FibreMaterial>();
-  const std::vector<float> packed = material.model->pack(evaluated_values(resources));
-  CUTICLE_TRY(device.upload(parameters_, std::as_bytes(std::span(packed))));
+Result<void> DirectScattering::take_parameters(gpu::Device& device, const Resources& resources) {
+  CUTICLE_TRY(check(device, resources));
+  CUTICLE_ASSIGN(parameters_, evaluator_.upload(evaluated_values(resources)));
+  return {};
+}
+
+void DirectScattering::record(gpu::Commands& commands, const Resources& resources, const gpu::Buffer& frame,
+                              const gpu::Buffer* listed) const {
   const std::size_t bytes = resources.get<DrawnHair>().strands.vertex_count * k_value_bytes;
   for (std::uint32_t light = 0; light < resources.get<Lights>().all.size(); ++light) {
     record_light(commands, resources, frame, listed, light);
     commands.copy(of_light_, scattered_, bytes, 0, light * bytes);
   }
-  return {};
 }
 
 void DirectScattering::record_light(gpu::Commands& commands, const Resources& resources, const gpu::Buffer& frame,

@@ -10,10 +10,12 @@ class DirectScattering {
   /// Errors: bad_input where the model, with these parameters, is a function of h, which a vertex does not know, or has
   /// no kernel; what the device says.
   static Result<DirectScattering> make(gpu::Device& device, const Resources& resources);
+  /// Of the material as it is now. Errors: as make.
+  Result<void> take_parameters(gpu::Device& device, const Resources& resources);
   /// S of every light at every vertex, or at those of a list (seen_vertices::SeenVertices::list) in its order; `frame`
-  /// is that of frame.glsl. Error: what the device says.
-  Result<void> record(gpu::Device& device, gpu::Commands& commands, const Resources& resources,
-                      const gpu::Buffer& frame, const gpu::Buffer* listed);
+  /// is that of frame.glsl.
+  void record(gpu::Commands& commands, const Resources& resources, const gpu::Buffer& frame,
+              const gpu::Buffer* listed) const;
   /// rgb per light and vertex, or place in the list.
   const gpu::Buffer& scattered() const { return scattered_; }
 

@@ -1,21 +1,8 @@
 #include "render/strand_shading/shading_inputs_gpu.h"
 
 #include "render/passes/bake_tables/bake_tables_gpu.h"
-#include "render/passes/lines/lines.h"
 
 namespace cuticle::render::strand_shading {
-
-namespace {
-
-/// Of the model that strands are shaded by; null: they are not.
-const registry::ParameterValues* values_of(const Resources& resources) {
-  const FibreMaterial& material = resources.get<FibreMaterial>();
-  if (material.evaluates_directly) return material.values;
-  const lut::TableSet* const set = bake_tables::table_set_of(resources);
-  return set ? &set->values : nullptr;
-}
-
-}  // namespace
 
 Result<ShadingInputs> ShadingInputs::make(std::shared_ptr<gpu::Device> device, const Resources& resources) {
   ShadingInputs inputs;
@@ -26,27 +13,25 @@ Result<ShadingInputs> ShadingInputs::make(std::shared_ptr<gpu::Device> device, c
     CUTICLE_ASSIGN(inputs.direct_, DirectScattering::make(*device, resources));
   }
   inputs.device_ = std::move(device);
-  CUTICLE_TRY(inputs.take_tables(resources));
+  CUTICLE_ASSIGN(inputs.frame_, constant_part(resources));
   return inputs;
 }
 
-Result<void> ShadingInputs::take_tables(const Resources& resources) {
+Result<bool> ShadingInputs::take_parameters(const Resources& resources) {
+  if (direct_) CUTICLE_TRY(direct_->take_parameters(*device_, resources));
   CUTICLE_ASSIGN(frame_, constant_part(resources));
-  if (const registry::ParameterValues* values = values_of(resources)) values_ = *values;
-  return {};
+  return true;
 }
 
-Result<Frame*> ShadingInputs::update(const Resources& resources) {
-  const registry::ParameterValues* values = values_of(resources);
-  if (values && *values != values_) CUTICLE_TRY(take_tables(resources));
+Frame& ShadingInputs::update(const Resources& resources) {
   set_view(frame_, resources);
-  return &frame_;
+  return frame_;
 }
 
 Result<void> ShadingInputs::record(gpu::Commands& commands, const Resources& resources, const gpu::Buffer* listed) {
   CUTICLE_TRY(device_->upload(frame_buffer_, gpu::bytes_of(frame_)));
   transmittance_.record(commands, resources);
-  if (direct_) CUTICLE_TRY(direct_->record(*device_, commands, resources, frame_buffer_, listed));
+  if (direct_) direct_->record(commands, resources, frame_buffer_, listed);
   return {};
 }
 

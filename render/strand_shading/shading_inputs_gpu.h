@@ -13,8 +13,10 @@ class ShadingInputs {
  public:
   /// `variation`, `tip_variation` and `ambient` are those of the pass 'lines', however strands are drawn.
   static Result<ShadingInputs> make(std::shared_ptr<gpu::Device> device, const Resources& resources);
-  /// Sets the frame's constants, those of the tables where their parameters have changed (lut::LiveTables).
-  Result<Frame*> update(const Resources& resources);
+  /// GpuPass::take_parameters.
+  Result<bool> take_parameters(const Resources& resources);
+  /// Sets the frame's view.
+  Frame& update(const Resources& resources);
   /// Uploads the constants and records the copies of the lights' transmittance, and the model's formulas where the
   /// scene wants them in place of tables or what stands in place of them.
   /// `listed`: seen_vertices::SeenVertices::list, of whose vertices the formulas are evaluated alone; null: of all.
@@ -27,13 +29,10 @@ class ShadingInputs {
   const gpu::Texture* table(const Resources& resources, std::size_t index) const;
 
  private:
-  Result<void> take_tables(const Resources& resources);
-
   std::shared_ptr<gpu::Device> device_;
   gpu::Buffer frame_buffer_;
   GatheredTransmittance transmittance_;
-  gpu::Texture no_table_;             ///< bound where the scene has no light, so that nothing is looked up
-  registry::ParameterValues values_;  ///< of the model that frame_ was made for
+  gpu::Texture no_table_;  ///< bound where the scene has no light, so that nothing is looked up
   Frame frame_{};
   std::optional<DirectScattering> direct_;
 };

@@ -10,25 +10,9 @@ namespace cuticle::render::bake_tables {
 
 namespace {
 
-/// Works once, when it is made.
-class BakeTables : public GpuPass {
- public:
-  explicit BakeTables(lut::TableSet set) : set_(std::move(set)) {}
-  Result<void> upload(gpu::Device& device, bool mip_levels) {
-    CUTICLE_ASSIGN(textures_, strand_shading::upload_drawn(device, set_, mip_levels));
-    return {};
-  }
-  void publish(Resources& resources) const override {
-    Tables tables{.set = &set_};
-    for (const gpu::Texture& texture : textures_) tables.textures.push_back(&texture);
-    resources.put(std::move(tables));
-  }
-  Result<void> record(gpu::Commands&, const Resources&) override { return {}; }
-
- private:
-  lut::TableSet set_;
-  std::vector<gpu::Texture> textures_;
-};
+Result<const lut::Layout*> layout_of(const FibreMaterial& material) {
+  return lut::find_layout(material.layout, *material.model, *material.values);
+}
 
 /// Says what the tables take, and what to do where that is long.
 Result<void> announce(const lut::Layout& layout, const FibreMaterial& material, Progress& progress) {
@@ -45,21 +29,50 @@ Result<void> announce(const lut::Layout& layout, const FibreMaterial& material, 
   return {};
 }
 
-/// A software device runs on the same cores and has a kernel to compile first.
-Result<lut::TableSet> bake(gpu::Device& device, const FibreMaterial& material, Progress& progress) {
-  CUTICLE_ASSIGN(const lut::Layout* layout, lut::find_layout(material.layout, *material.model, *material.values));
-  const bool is_baked_here = device.info().is_software;
-  if (is_baked_here || layout->solve) CUTICLE_TRY(announce(*layout, material, progress));
-  if (is_baked_here)
-    return lut::bake(*material.model, *material.values, *layout, material.lut_size, progress);
-  return lut::bake_gpu(device, *material.model, *material.values, *layout, material.lut_size);
-}
+/// Works when it is made, and when the model has other parameters.
+class BakeTables : public GpuPass {
+ public:
+  BakeTables(std::shared_ptr<gpu::Device> device, const FibreMaterial& material, const lut::Layout& layout)
+      : device_(std::move(device)), baker_(*device_, *material.model, layout, material.lut_size), layout_(layout) {}
+
+  Result<bool> take_parameters(const Resources& resources) override {
+    CUTICLE_ASSIGN(const lut::Layout* layout, layout_of(resources.get<FibreMaterial>()));
+    if (layout != &layout_) return false;
+    CUTICLE_ASSIGN(set_, bake(resources));
+    CUTICLE_ASSIGN(textures_,
+                   strand_shading::upload_drawn(*device_, set_, parameters_of<Parameters>(resources).mip_levels));
+    return true;
+  }
+  void publish(Resources& resources) const override {
+    Tables tables{.set = &set_};
+    for (const gpu::Texture& texture : textures_) tables.textures.push_back(&texture);
+    resources.put(std::move(tables));
+  }
+  Result<void> record(gpu::Commands&, const Resources&) override { return {}; }
+
+ private:
+  /// A software device runs on the same cores and has a kernel to compile first.
+  Result<lut::TableSet> bake(const Resources& resources) {
+    const FibreMaterial& material = resources.get<FibreMaterial>();
+    Progress& progress = resources.progress ? *resources.progress : silent_progress();
+    const bool is_baked_here = device_->info().is_software;
+    if (is_baked_here || layout_.solve) CUTICLE_TRY(announce(layout_, material, progress));
+    if (is_baked_here) return lut::bake(*material.model, *material.values, layout_, material.lut_size, progress);
+    return baker_.bake(*material.values);
+  }
+
+  std::shared_ptr<gpu::Device> device_;
+  lut::DeviceBaker baker_;
+  const lut::Layout& layout_;
+  lut::TableSet set_;
+  std::vector<gpu::Texture> textures_;
+};
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
-  Progress& progress = resources.progress ? *resources.progress : silent_progress();
-  CUTICLE_ASSIGN(lut::TableSet set, bake(*device, resources.get<FibreMaterial>(), progress));
-  auto pass = std::make_unique<BakeTables>(std::move(set));
-  CUTICLE_TRY(pass->upload(*device, parameters_of<Parameters>(resources).mip_levels));
+  const FibreMaterial& material = resources.get<FibreMaterial>();
+  CUTICLE_ASSIGN(const lut::Layout* layout, layout_of(material));
+  auto pass = std::make_unique<BakeTables>(std::move(device), material, *layout);
+  CUTICLE_TRY(pass->take_parameters(resources));
   return std::unique_ptr<GpuPass>(std::move(pass));
 }
 

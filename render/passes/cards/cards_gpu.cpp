@@ -81,13 +81,18 @@ class Cards : public GpuPass {
     CUTICLE_TRY(device_->upload(texture_, cards.textures.atlas.pixels));
     CUTICLE_ASSIGN(frame_buffer_, device_->make_buffer(sizeof(CardFrame)));
     CUTICLE_ASSIGN(shaded_, device_->make_buffer(k_max_steps * sizeof(std::uint32_t)));
-    CUTICLE_ASSIGN(const bsdf::scheuermann::Parameters material,
-                   material_of(*resources.get<FibreMaterial>().model, *resources.get<FibreMaterial>().values));
-    set_material(frame_, material);
-    if (is_lit_as_strands(resources)) CUTICLE_TRY(light_as_strands(resources, parameters));
+    CUTICLE_TRY(take_parameters(resources));
     frame_.atlas = atlas_of(cards.textures, parameters.opaque_alpha);
     counts_ = parameters.count_fragments;
     return make_steps(resources, parameters);
+  }
+
+  Result<bool> take_parameters(const Resources& resources) override {
+    CUTICLE_ASSIGN(const bsdf::scheuermann::Parameters material,
+                   material_of(*resources.get<FibreMaterial>().model, *resources.get<FibreMaterial>().values));
+    set_material(frame_, material);
+    if (is_lit_as_strands(resources)) CUTICLE_TRY(light_as_strands(resources, parameters_of<Parameters>(resources)));
+    return true;
   }
 
   Result<void> record(gpu::Commands& commands, const Resources& resources) override {

@@ -9,8 +9,8 @@ namespace cuticle::render::dual_scattering {
 namespace {
 
 constexpr std::string_view k_demands[] = {"light", "dual_scattering"};
-constexpr Use k_uses[] = {reads<FibreMaterial>(), may_read<RestStrands>(), may_read<bake_tables::Tables>(),
-                          writes<Terms>()};
+constexpr Use k_uses[] = {reads<FibreMaterial>(), reads<FibreOpacity>(), may_read<RestStrands>(),
+                          may_read<bake_tables::Tables>(), writes<Terms>()};
 constexpr std::string_view k_after[] = {"bake_tables"};
 constexpr std::string_view k_systems[] = {"F11"};
 constexpr std::string_view k_corrections[] = {"none", "path_tracing"};

@@ -31,7 +31,7 @@ void append_corrections(const bsdf::DualScatteringTable& table, const Resources&
     if (fitted)
       rows = bsdf::dual_scattering::corrections_of(bsdf::dual_scattering::fitted_corrections(),
                                                    average.forward.share[c] + average.backward.share[c],
-                                                   thickness * resources.get<FibreMaterial>().fibre_alpha[c]);
+                                                   thickness * resources.get<FibreOpacity>().alpha[c]);
     for (const auto& row : rows) terms.emplace_back(row.onward, row.back, row.diffuse, 0);
   }
 }
@@ -56,17 +56,23 @@ Result<gpu::Buffer> make_terms(gpu::Device& device, const Resources& resources) 
 
 class DualScattering : public GpuPass {
  public:
-  explicit DualScattering(gpu::Buffer terms) : terms_(std::move(terms)) {}
+  DualScattering(std::shared_ptr<gpu::Device> device, gpu::Buffer terms)
+      : device_(std::move(device)), terms_(std::move(terms)) {}
   void publish(Resources& resources) const override { resources.put(Terms{&terms_}); }
+  Result<bool> take_parameters(const Resources& resources) override {
+    CUTICLE_ASSIGN(terms_, make_terms(*device_, resources));
+    return true;
+  }
   Result<void> record(gpu::Commands&, const Resources&) override { return {}; }
 
  private:
+  std::shared_ptr<gpu::Device> device_;
   gpu::Buffer terms_;
 };
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
   CUTICLE_ASSIGN(gpu::Buffer terms, make_terms(*device, resources));
-  return std::unique_ptr<GpuPass>(std::make_unique<DualScattering>(std::move(terms)));
+  return std::unique_ptr<GpuPass>(std::make_unique<DualScattering>(std::move(device), std::move(terms)));
 }
 
 }  // namespace

@@ -10,9 +10,14 @@ namespace cuticle::render::fins {
 namespace {
 
 constexpr std::string_view k_demands[] = {"fins_drawn"};
-constexpr Use k_uses[] = {
-    reads<FrameView>(), reads<Lights>(),      reads<FibreMaterial>(),           reads<Surfaces>(),
-    reads<Targets>(),   reads<FinVertices>(), may_read<surface_shadow::Maps>(), changes<DrawnSurfaces>()};
+constexpr Use k_uses[] = {reads<FrameView>(),
+                          reads<Lights>(),
+                          reads<FibreOpacity>(),
+                          reads<Surfaces>(),
+                          reads<Targets>(),
+                          reads<FinVertices>(),
+                          may_read<surface_shadow::Maps>(),
+                          changes<DrawnSurfaces>()};
 constexpr std::string_view k_systems[] = {"N10"};
 constexpr std::string_view k_after[] = {"head", "floor"};
 

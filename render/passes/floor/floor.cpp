@@ -10,7 +10,7 @@ namespace cuticle::render::floor {
 namespace {
 
 constexpr std::string_view k_demands[] = {"floor"};
-constexpr Use k_uses[] = {reads<FrameView>(),      reads<Lights>(),  reads<FibreMaterial>(),
+constexpr Use k_uses[] = {reads<FrameView>(),      reads<Lights>(),  reads<FibreOpacity>(),
                           reads<Surfaces>(),       reads<Targets>(), may_read<surface_shadow::Maps>(),
                           changes<DrawnSurfaces>()};
 

@@ -17,9 +17,14 @@ namespace cuticle::render::head {
 namespace {
 
 constexpr std::string_view k_demands[] = {"head"};
-constexpr Use k_uses[] = {
-    reads<FrameView>(), reads<Lights>(),          reads<FibreMaterial>(),           reads<Surfaces>(),
-    reads<Targets>(),   may_read<HeadVertices>(), may_read<surface_shadow::Maps>(), changes<DrawnSurfaces>()};
+constexpr Use k_uses[] = {reads<FrameView>(),
+                          reads<Lights>(),
+                          reads<FibreOpacity>(),
+                          reads<Surfaces>(),
+                          reads<Targets>(),
+                          may_read<HeadVertices>(),
+                          may_read<surface_shadow::Maps>(),
+                          changes<DrawnSurfaces>()};
 float nearest_distance(const glm::vec3& point, std::span<const glm::vec3> others) {
   float nearest = std::numeric_limits<float>::max();
   for (const glm::vec3& other : others) nearest = std::min(nearest, glm::dot(other - point, other - point));

@@ -56,7 +56,7 @@ Result<MeshDraw> MeshDraw::create(gpu::Device& device, const Resources& resource
   description.fragment_spirv = fragment;
   description.cull_back_faces = one_sided;
   description.interface = {4, 2, sizeof(glm::mat4),
-                           with_channels({}, shadows::different_channels(resources.get<FibreMaterial>().fibre_alpha))};
+                           with_channels({}, shadows::different_channels(resources.get<FibreOpacity>().alpha))};
   CUTICLE_ASSIGN(draw.pipeline_, device.make_graphics(description));
   CUTICLE_ASSIGN(draw.no_map_, device.make_texture({}));
   CUTICLE_ASSIGN(draw.frame_, device.make_buffer(sizeof(DiffuseFrame)));

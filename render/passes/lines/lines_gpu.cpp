@@ -55,6 +55,8 @@ class Lines : public GpuPass {
     if (seen_) resources.put(SeenHair{.samples = &seen_});
   }
 
+  Result<bool> take_parameters(const Resources& resources) override { return inputs_.take_parameters(resources); }
+
   /// The pipeline that draws lines of this width; made at its first use.
   Result<const gpu::GraphicsPipeline*> pipeline_of(const Resources& resources, float width) {
     if (const auto made = pipelines_.find(width); made != pipelines_.end()) return &made->second;
@@ -68,14 +70,14 @@ class Lines : public GpuPass {
   }
 
   Result<void> record(gpu::Commands& commands, const Resources& resources) override {
-    CUTICLE_ASSIGN(strand_shading::Frame* const frame, inputs_.update(resources));
+    strand_shading::Frame& frame = inputs_.update(resources);
     const visibility::DrawnPart part =
         visibility::drawn_part(resources, parameters_of<Parameters>(resources).full_px, true);
-    frame->drawn_segments = part.segments;
+    frame.drawn_segments = part.segments;
     const float width = widened(line_width(resources), part.width);
-    frame->opacity_of_radius = opacity_of_radius(resources, part, width);
+    frame.opacity_of_radius = opacity_of_radius(resources, part, width);
     CUTICLE_ASSIGN(const gpu::GraphicsPipeline* pipeline, pipeline_of(resources, width));
-    frame->packed_vertices = packing_ ? 1 : 0;
+    frame.packed_vertices = packing_ ? 1 : 0;
     CUTICLE_TRY(inputs_.record(commands, resources));
     const DrawnHair& hair = resources.get<DrawnHair>();
     if (packing_) packing_->record(commands, *hair.strands.vertices, *hair.tangents);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -11,8 +10,6 @@
 
 #include "gpu/tests/test_device.h"
 #include "lut/bake_gpu.h"
-#include "lut/live_tables_gpu.h"
-#include "render/pass_gpu.h"
 #include "render/passes/bake_tables/bake_tables_gpu.h"
 #include "render/passes/lines/lines.h"
 #include "strands/lod/lod.h"
@@ -58,12 +55,6 @@ gpu::Texture target(int size, gpu::TextureFormat format) {
   return std::move(*device()->make_texture({{size, size}, format, gpu::Filter::nearest, 1, true}));
 }
 
-/// What a frame reads of the tables.
-struct Textures {
-  const lut::TableSet* set;
-  std::span<const gpu::Texture> textures;
-};
-
 /// One strand of two vertices through the origin, drawn alone.
 struct OneStrand {
   glm::dvec3 tangent;
@@ -75,11 +66,6 @@ struct OneStrand {
 
   glm::vec4 center_pixel() const {
     const std::vector<gpu::Texture> textures = *lut::upload(*device(), tables());
-    return center_pixels([&] { return Textures{&tables(), textures}; }, 1)[0];
-  }
-
-  /// The pixel of each of some frames that one pass draws; the tables are asked for before each.
-  std::vector<glm::vec4> center_pixels(const std::function<Textures()>& next, int frames) const {
     const auto vertices = upload<glm::vec4>({{-0.3 * tangent, 1e-4}, {end * tangent, end_radius}});
     const auto tangents = upload<glm::vec4>({{tangent, 0}, {tangent, 1}});
     const auto segments = upload<std::uint32_t>({0});
@@ -100,18 +86,9 @@ struct OneStrand {
     resources.edit<Targets>().depth = &depth;
     resources.edit<Targets>().supersampling = 1;
     resources.parameters["lines"] = parameters();
-    std::unique_ptr<GpuPass> pass;
-    std::vector<glm::vec4> pixels;
-    for (int frame = 0; frame < frames; ++frame) {
-      const Textures now = next();
-      resources.edit<bake_tables::Tables>().set = now.set;
-      resources.edit<bake_tables::Tables>().textures.clear();
-      for (const gpu::Texture& texture : now.textures)
-        resources.edit<bake_tables::Tables>().textures.push_back(&texture);
-      if (!pass) pass = make_pass(resources);
-      pixels.push_back(draw(*pass, resources));
-    }
-    return pixels;
+    resources.edit<bake_tables::Tables>().set = &tables();
+    for (const gpu::Texture& texture : textures) resources.edit<bake_tables::Tables>().textures.push_back(&texture);
+    return draw(*make_pass(resources), resources);
   }
 
  private:
@@ -276,32 +253,6 @@ TEST(Lines, LevelOfDetail_DrawsAPrefixThatCoversTheSameArea) {
   RecordProperty("area_over_that_of_all", std::to_string(prefix / far));
   EXPECT_GT(far, 0);
   EXPECT_NEAR(prefix / far, 1, 0.02);
-}
-
-/// A frame, a change, a frame that still shows the old tables, the swap, a frame that shows the new ones.
-TEST(Lines, LiveTables_ShadeWithTheParametersOfTheirLastSwap) {
-  const OneStrand strand{{0, 1, 0}, {light_from(0.3, 0.2, 1)}, {1}, 0.6};
-  const registry::ParameterValues changed = material("sigma_a=1/0.3/0.1,beta=0.2,eta=1.4");
-  lut::LiveTables live = *lut::LiveTables::make(*device(), model(), material(k_material), layout(), 128);
-  int frame = 0;
-  const auto pixels = strand.center_pixels(
-      [&] {
-        if (frame == 1) static_cast<void>(live.change(changed));
-        if (frame == 2) static_cast<void>(live.finish());
-        ++frame;
-        return Textures{&live.set(), live.front()};
-      },
-      3);
-  const lut::TableSet baked = *lut::bake(model(), changed, layout(), 128, silent_progress());
-  const std::vector<gpu::Texture> uploaded = *lut::upload(*device(), baked);
-  const glm::vec4 expected = strand.center_pixels([&] { return Textures{&baked, uploaded}; }, 1)[0];
-  const glm::vec4 before = strand.center_pixel();
-  for (int c = 0; c < 3; ++c) {
-    EXPECT_NEAR(pixels[0][c], before[c], 1e-3f * before[c]) << c;
-    EXPECT_EQ(pixels[1][c], pixels[0][c]) << c;
-    EXPECT_NEAR(pixels[2][c], expected[c], 1e-3f * expected[c]) << c;
-    EXPECT_GT(std::abs(expected[c] - before[c]), 0.05f * before[c]) << c;
-  }
 }
 
 TEST(Lines, TwoLights_AddUpUnderTheirTransmittance) {

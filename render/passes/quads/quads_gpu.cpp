@@ -32,11 +32,13 @@ class Quads : public GpuPass {
     return make_pipelines(device, resources);
   }
 
+  Result<bool> take_parameters(const Resources& resources) override { return inputs_.take_parameters(resources); }
+
   Result<void> record(gpu::Commands& commands, const Resources& resources) override {
     const DrawnHair& hair = resources.get<DrawnHair>();
-    CUTICLE_ASSIGN(strand_shading::Frame* const frame, inputs_.update(resources));
+    strand_shading::Frame& frame = inputs_.update(resources);
     const visibility::DrawnPart part = visibility::drawn_part(resources, parameters_of<Parameters>(resources).full_px);
-    frame->drawn_segments = part.segments;
+    frame.drawn_segments = part.segments;
     CUTICLE_TRY(inputs_.record(commands, resources));
     see(commands, resources, part);
     const gpu::Commands::Target target = color_target(resources);

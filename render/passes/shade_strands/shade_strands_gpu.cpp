@@ -51,8 +51,10 @@ class ShadeStrands : public GpuPass {
     resources.put(StrandColors{&buffers_.colors, point_px_ > 0 ? &buffers_.shaded : nullptr});
   }
 
+  Result<bool> take_parameters(const Resources& resources) override { return inputs_.take_parameters(resources); }
+
   Result<void> record(gpu::Commands& commands, const Resources& resources) override {
-    CUTICLE_TRY(inputs_.update(resources));
+    inputs_.update(resources);
     CUTICLE_TRY(inputs_.record(commands, resources, listed_seen(resources)));
     // What does not show is blended with no weight, which takes a number.
     if (resources.find<seen_vertices::SeenVertices>()) commands.fill(buffers_.colors, 0);

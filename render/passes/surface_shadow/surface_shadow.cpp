@@ -11,7 +11,7 @@ namespace cuticle::render::surface_shadow {
 namespace {
 
 constexpr std::string_view k_demands[] = {"surface_shadow", "light", "surfaces"};
-constexpr Use k_uses[] = {reads<Lights>(),    reads<Surfaces>(),        reads<FibreMaterial>(),
+constexpr Use k_uses[] = {reads<Lights>(),    reads<Surfaces>(),        reads<FibreOpacity>(),
                           reads<DrawnHair>(), may_read<HeadVertices>(), changes<HairTransmittance>(),
                           writes<Maps>()};
 constexpr std::string_view k_systems[] = {"F3"};

@@ -162,7 +162,7 @@ Result<LightMap> light_map(const Light& light, std::span<const glm::dvec3> point
 
 /// Of what hair casts on surfaces, whatever shadows hair itself.
 shadows::Channels hair_channels(const Resources& resources) {
-  return shadows::different_channels(resources.get<FibreMaterial>().fibre_alpha);
+  return shadows::different_channels(resources.get<FibreOpacity>().alpha);
 }
 
 class SurfaceShadow : public GpuPass {

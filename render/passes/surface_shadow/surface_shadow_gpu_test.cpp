@@ -61,7 +61,7 @@ class Frame {
   Frame(const strands::Groom& groom, const std::vector<Light>& lights, double fibre_alpha, double hair_share = 1)
       : plate_(plate()), vertices_(upload(packed(groom))), segments_(upload(firsts(groom))) {
     resources_.edit<Lights>().all = lights;
-    resources_.edit<FibreMaterial>().fibre_alpha = glm::dvec3(fibre_alpha);
+    resources_.edit<FibreOpacity>().alpha = glm::dvec3(fibre_alpha);
     resources_.edit<Surfaces>().head = &plate_;
     resources_.edit<DrawnHair>().strands = {&vertices_, &segments_, std::uint32_t(groom.vertex_count()),
                                             std::uint32_t(segments_.size() / 4), strands::bounds(groom)};
