@@ -124,6 +124,10 @@ scene::Scene small_fox_by(const char* solver) {
   return scene;
 }
 
+void add_effect(const char* name, scene::Scene& scene) {
+  scene.simulation.effects[name] = registry::default_values((*sim::find_effect(name))->entry.parameters);
+}
+
 class SimulatedFur : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Solvers, SimulatedFur, testing::Values("classic", "exact", "rod"),
                          [](const auto& info) { return info.param; });
@@ -206,11 +210,34 @@ TEST(FoxFur, Simulated_RunsSkinThenSimulationAsPlanned) {
 
 TEST(FoxFur, EffectThatHairOnASkinCannotHave_IsRefused) {
   scene::Scene scene = small_fox_by("exact");
-  scene.simulation.effects["clumping"] =
-      registry::parse_assignments((*sim::find_effect("clumping"))->entry.parameters, "").value();
+  add_effect("control", scene);
   const auto made = FrameRunner::create(tests::device(), scene, silent_progress());
   ASSERT_FALSE(made);
-  EXPECT_NE(made.error().message.find("'clumping'"), std::string::npos) << made.error().message;
+  EXPECT_NE(made.error().message.find("'control'"), std::string::npos) << made.error().message;
+}
+
+TEST(FoxFur, ClumpedInTheRun_StaysAtItsLengthAndDiffers) {
+  std::vector<glm::vec3> places[2];
+  for (const bool clumped : {false, true}) {
+    scene::Scene scene = small_fox_by("exact");
+    if (clumped)
+      for (const char* effect : {"clumping", "strand_interaction"}) add_effect(effect, scene);
+    auto runner = FrameRunner::create(tests::device(), scene, silent_progress());
+    ASSERT_TRUE(runner) << runner.error().message;
+    for (int frame = 0; frame < 6; ++frame) {
+      const auto run = (*runner)->run(frame, {.render = frame == 5, .read_state = true});
+      ASSERT_TRUE(run) << run.error().message;
+      EXPECT_EQ(run->state.guards_fired + run->state.left_out, 0u);
+      for (const float ratio : sim::stretch((*runner)->control_groom(), run->state.positions))
+        ASSERT_NEAR(double(ratio), 1, 1e-3);
+      places[clumped] = run->state.positions;
+    }
+  }
+  double most = 0;
+  for (std::size_t i = 0; i < places[0].size(); ++i)
+    most = std::max(most, double(glm::distance(places[0][i], places[1][i])));
+  std::printf("fur of the fox in a run, with clumps and strand against strand: up to %.4f m elsewhere\n", most);
+  EXPECT_GT(most, 1e-3);
 }
 
 }  // namespace

@@ -26,10 +26,8 @@ Result<void> check_on_skin(const scene::Scene& scene) {
     return usage_error(
         fmt::format("simulation: hair on a character's skin cannot have the solver '{}'", solver->entry.name),
         "choose the solver 'classic', 'exact' or 'rod'");
-  for (const char* effect : {"control", "strand_interaction", "clumping", "sleep"})
-    if (scene.simulation.effects.contains(effect))
-      return usage_error(fmt::format("simulation: hair on a character's skin cannot have the effect '{}'", effect),
-                         "leave it out");
+  if (scene.simulation.effects.contains("control"))
+    return usage_error("simulation: hair on a character's skin cannot have the effect 'control'", "leave it out");
   return {};
 }
 

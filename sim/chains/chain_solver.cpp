@@ -35,7 +35,7 @@ class ChainSolver final : public Solver {
     const std::vector<ChainStep<Real>> steps = clock_.template steps<Real>(settings_, parts);
     const FrameColliders<Real> colliders = frame_colliders<Real>(settings_, input, parts.size(), skin_.has_value());
     std::fill(resets_.begin(), resets_.end(), 0);
-    if (!clumped_.empty() && !steps.empty()) clumping::aim(chains_, clumped_, clumping::to_rest(parts[0]));
+    if (!clumped_.empty() && !steps.empty()) aim_clumps(parts[0]);
     if (sleepers_) wake(input, pushes_of<Real>(steps));
     tbb::parallel_for(std::size_t(0), chains_.blocks.size(), [&](std::size_t b) {
       if (sleepers_ && !sleepers_->begin(chains_, b, woken_[b], own_rows(b))) return;
@@ -62,11 +62,20 @@ class ChainSolver final : public Solver {
   }
 
  private:
+  /// Hair that is put onto a skin keeps its own targets in that frame.
+  void aim_clumps(const Substep& first) {
+    if (!skin_)
+      clumping::aim(chains_, clumped_, clumping::to_rest(first));
+    else if (!first.onto_skin)
+      clumping::aim_on_skin(chains_, clumped_, skin_->frames(0));
+  }
+
   void wake(const FrameInput& input, const std::vector<Push>& pushes) {
-    watch_.follow(input, pushes);
+    watch_.follow(input, pushes, skin_.has_value());
     woken_.assign(chains_.blocks.size(), 0);
     for (std::size_t s = 0; s < rest_.strand_count(); ++s)
-      if (const ChainPlace& place = chains_.places[s]; place.has_links && watch_.wakes(s))
+      if (const ChainPlace& place = chains_.places[s];
+          place.has_links && (watch_.wakes(s) || (skin_ && skin_->moves(s))))
         woken_[place.block] |= 1u << place.lane;
   }
 
@@ -74,7 +83,6 @@ class ChainSolver final : public Solver {
     const std::uint32_t count = substeps(settings_, input.duration);
     if (input.skinned.empty()) return motion_.advance(input, count);
     CUTICLE_TRY(check_skinned(input.skinned, rest_.vertex_count()));
-    CUTICLE_TRY(check_on_skin(settings_));
     CUTICLE_ASSIGN(const std::vector<Substep> parts, motion_.advance_on_skin(input, count));
     if (!skin_) skin_.emplace(rest_, settings_, chains_);
     skin_->advance(input.skinned, parts[0].onto_skin, parts);
@@ -83,6 +91,7 @@ class ChainSolver final : public Solver {
   }
 
   void put_onto_skin() {
+    clumping::aim_at_rest(chains_, clumped_);
     for (std::size_t b = 0; b < chains_.blocks.size(); ++b)
       for (std::size_t lane = 0; lane < std::size_t(k_lanes); ++lane)
         reset_lane(chains_, b, lane, skin_->placing(b, lane));
@@ -165,8 +174,8 @@ class ChainSolver final : public Solver {
       glm::dvec3 at = skin_ ? skin_->place(stand.rest) : placing_.world(rest);
       if (stand.link) at += state_of(s, stand, state_row::here);
       state.positions.emplace_back(at);
-      const glm::dvec3 carried = skin_ ? skin_->velocity(stand.rest) : placing_.velocity(rest);
-      state.velocities.emplace_back(stand.link ? state_of(s, stand, state_row::velocity) : carried);
+      state.velocities.emplace_back(stand.link ? state_of(s, stand, state_row::velocity)
+                                               : carried_velocity(stand.rest));
     }
   }
 
@@ -176,18 +185,30 @@ class ChainSolver final : public Solver {
   }
 
   void interact(double duration) {
-    tbb::parallel_for(std::size_t(0), rest_.strand_count(), [&](std::size_t s) { show_to_interaction(s); });
-    const std::span<const glm::vec3> changes = interaction_->changes(placing_.rotation(), duration);
+    std::vector<glm::dmat3> rotations{placing_.rotation()};
+    if (skin_) {
+      rotations.clear();
+      for (const SkinFrame& frame : skin_->frames(1)) rotations.push_back(frame.turn);
+    }
+    tbb::parallel_for(std::size_t(0), rest_.strand_count(),
+                      [&](std::size_t s) { show_to_interaction(s, rotations[skin_ ? s : 0]); });
+    const std::span<const glm::vec3> changes = interaction_->changes(rotations, duration);
     tbb::parallel_for(std::size_t(0), rest_.strand_count(), [&](std::size_t s) { push(s, changes); });
   }
 
-  void show_to_interaction(std::size_t s) {
+  /// Places by the strand's root at rest, as far as the strand stands from where it is carried.
+  void show_to_interaction(std::size_t s, const glm::dmat3& rotation) {
     for (std::size_t i = rest_.offsets[s]; i < rest_.offsets[s + 1]; ++i) {
       const Stand stand = stand_of(s, i);
       const glm::dvec3 rest(rest_.positions[stand.rest]);
-      interaction_->places()[i] = stand.link ? rest + state_of(s, stand, state_row::here) * placing_.rotation() : rest;
-      interaction_->velocities()[i] = stand.link ? state_of(s, stand, state_row::velocity) : placing_.velocity(rest);
+      interaction_->places()[i] = stand.link ? rest + state_of(s, stand, state_row::here) * rotation : rest;
+      interaction_->velocities()[i] =
+          stand.link ? state_of(s, stand, state_row::velocity) : carried_velocity(stand.rest);
     }
+  }
+
+  glm::dvec3 carried_velocity(std::size_t vertex) const {
+    return skin_ ? skin_->velocity(vertex) : placing_.velocity(glm::dvec3(rest_.positions[vertex]));
   }
 
   /// Velocities of both substeps: what BDF2 takes for a change between them would go on by itself.

@@ -104,19 +104,20 @@ bool find_on_guide(const Chain<Real>& guide, double arc, ClumpedVertex& vertex, 
 double share_of(double rate, double other) { return rate > 0 ? 1 / (1 + (other / rate) * (other / rate)) : 0; }
 
 template <class Real>
-void join(chains::Chains<Real>& chains, const chains::ChainPlace& follower, const chains::ChainPlace& leader,
-          const Settings& settings, double tightness, std::vector<ClumpedVertex>& vertices) {
-  const Chain<Real> own{chains, follower}, guide{chains, leader};
+void join(chains::Chains<Real>& chains, std::uint32_t strand, std::uint32_t leader, const Settings& settings,
+          double tightness, std::vector<ClumpedVertex>& vertices) {
+  const Chain<Real> own{chains, chains.places[strand]}, guide{chains, chains.places[leader]};
   const double length = own.number(own.links(), rest_row::reach);
   for (std::size_t i = 1; i <= own.links(); ++i) {
     const double arc = own.number(i, rest_row::reach), pull = own.number(i, rest_row::pull);
-    ClumpedVertex vertex;
+    ClumpedVertex vertex{
+        .apart = guide.anchor() - own.anchor(), .at_rest = own.target(i), .strand = strand, .guide = leader};
     glm::dvec3 guide_at_rest(0);
     if (!find_on_guide(guide, arc, vertex, guide_at_rest)) return;
-    const glm::dvec3 apart = guide.anchor() - own.anchor(), offset = own.target(i) - apart - guide_at_rest;
+    const glm::dvec3 offset = vertex.at_rest - vertex.apart - guide_at_rest;
     const double kept = 1 - tightness_at(tightness, arc / length, settings.profile);
     vertex.share = share_of(settings.rate, pull);
-    vertex.base = own.target(i) * (1 - vertex.share) + (apart + offset * kept) * vertex.share;
+    vertex.base = vertex.at_rest * (1 - vertex.share) + (vertex.apart + offset * kept) * vertex.share;
     vertex.target = own.index(i, rest_row::target, rest_row::count);
     chains.rest[own.index(i, rest_row::pull, rest_row::count)] = Real(std::hypot(pull, settings.rate));
     vertices.push_back(vertex);
@@ -146,8 +147,7 @@ std::vector<ClumpedVertex> join_clumps(chains::Chains<Real>& chains, const stran
   for (std::uint32_t s = 0; s < guides.size(); ++s) {
     if (guides[s] == s || !chains.places[s].has_links || !chains.places[guides[s]].has_links) continue;
     const double chance = random_stream(settings.seed, Chance::clump, s).next_unit();
-    join(chains, chains.places[s], chains.places[guides[s]], settings,
-         settings.tightness * (1 - settings.noise * chance), vertices);
+    join(chains, s, guides[s], settings, settings.tightness * (1 - settings.noise * chance), vertices);
   }
   return vertices;
 }
@@ -159,22 +159,56 @@ glm::dmat3 to_rest(const Substep& first) {
   return glm::transpose(chains::matrix_of(first.rotation_begin)) * chains::matrix_of(first.carry);
 }
 
+/// aim_of(vertex, the guide's place from its own anchor): where it is to be pulled in rest space.
 template <class Real>
-void aim(chains::Chains<Real>& chains, const std::vector<ClumpedVertex>& vertices, const glm::dmat3& to_rest) {
+void aim_all(chains::Chains<Real>& chains, const std::vector<ClumpedVertex>& vertices, const auto& aim_of) {
   using Vector = glm::vec<3, Real>;
   const auto place = [&](std::uint32_t at) {
     return Vector(chains.state[at], chains.state[at + k_lanes], chains.state[at + 2 * k_lanes]);
   };
-  const Vector x(to_rest[0]), y(to_rest[1]), z(to_rest[2]);
   tbb::parallel_for(std::size_t(0), vertices.size(), [&](std::size_t k) {
     const ClumpedVertex& v = vertices[k];
     const Vector guide = guide_place(place(v.above), place(v.below), Real(v.between));
     if (!leads(guide, Real(v.most_squared))) return;
-    const Vector aim = clump_aim(Vector(v.base), Real(v.share), guide, x, y, z);
+    const Vector aim = aim_of(v, guide);
+    if (!is_place(aim)) return;
     for (int c = 0; c < 3; ++c) chains.rest[v.target + std::uint32_t(c * k_lanes)] = aim[c];
+  });
+}
+
+template <class Real>
+void aim(chains::Chains<Real>& chains, const std::vector<ClumpedVertex>& vertices, const glm::dmat3& to_rest) {
+  using Vector = glm::vec<3, Real>;
+  const Vector x(to_rest[0]), y(to_rest[1]), z(to_rest[2]);
+  aim_all(chains, vertices, [&](const ClumpedVertex& v, const Vector& guide) {
+    return clump_aim(Vector(v.base), Real(v.share), guide, x, y, z);
   });
 }
 template void aim<float>(chains::Chains<float>&, const std::vector<ClumpedVertex>&, const glm::dmat3&);
 template void aim<double>(chains::Chains<double>&, const std::vector<ClumpedVertex>&, const glm::dmat3&);
+
+template <class Real>
+void aim_at_rest(chains::Chains<Real>& chains, const std::vector<ClumpedVertex>& vertices) {
+  for (const ClumpedVertex& v : vertices)
+    for (int c = 0; c < 3; ++c) chains.rest[v.target + std::uint32_t(c * k_lanes)] = Real(v.at_rest[c]);
+}
+template void aim_at_rest<float>(chains::Chains<float>&, const std::vector<ClumpedVertex>&);
+template void aim_at_rest<double>(chains::Chains<double>&, const std::vector<ClumpedVertex>&);
+
+template <class Real>
+void aim_on_skin(chains::Chains<Real>& chains, const std::vector<ClumpedVertex>& vertices,
+                 std::span<const chains::SkinFrame> frames) {
+  using Vector = glm::vec<3, Real>;
+  aim_all(chains, vertices, [&](const ClumpedVertex& v, const Vector& guide) {
+    const glm::dmat3 to_rest = glm::transpose(frames[v.strand].turn);
+    const Vector from_own = guide + Vector(frames[v.guide].root - frames[v.strand].root);
+    return clump_aim(Vector(v.base - v.apart * v.share), Real(v.share), from_own, Vector(to_rest[0]),
+                     Vector(to_rest[1]), Vector(to_rest[2]));
+  });
+}
+template void aim_on_skin<float>(chains::Chains<float>&, const std::vector<ClumpedVertex>&,
+                                 std::span<const chains::SkinFrame>);
+template void aim_on_skin<double>(chains::Chains<double>&, const std::vector<ClumpedVertex>&,
+                                  std::span<const chains::SkinFrame>);
 
 }  // namespace cuticle::sim::clumping

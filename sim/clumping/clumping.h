@@ -1,8 +1,10 @@
 #pragma once
 // Clumps: who leads whom, and what of a vertex's aim does not change in motion.
+#include <span>
 #include <vector>
 
 #include "sim/chains/chains.h"
+#include "sim/chains/skin/on_skin.h"
 #include "sim/clumping/settings.h"
 
 namespace cuticle::sim::clumping {
@@ -16,10 +18,13 @@ std::vector<std::uint32_t> guides_of(const strands::Groom& rest, const Settings&
 /// A vertex of a chain that is pulled. Indices are of the chains' numbers, x of three that lie k_lanes apart.
 struct ClumpedVertex {
   glm::dvec3 base{0};                              ///< see clump_aim, m
+  glm::dvec3 apart{0};                             ///< at rest, from the strand's anchor to its guide's, m
+  glm::dvec3 at_rest{0};                           ///< its own target without the clump, m
   double share = 0;                                ///< of the clump in all that pulls the vertex
   double between = 0;                              ///< where the guide is between its vertices `above` and `below`
   double most_squared = 0;                         ///< of the guide's place, m^2
   std::uint32_t above = 0, below = 0, target = 0;  ///< two places in the state; the target in the rest rows
+  std::uint32_t strand = 0, guide = 0;             ///< of the groom
 };
 
 /// The vertices of followers, none past the end of their guide. Their pull in `chains` becomes that of both springs:
@@ -34,5 +39,14 @@ glm::dmat3 to_rest(const Substep& first);
 /// New targets from where the guides are.
 template <class Real>
 void aim(chains::Chains<Real>& chains, const std::vector<ClumpedVertex>& vertices, const glm::dmat3& to_rest);
+
+/// Targets as they are without clumps.
+template <class Real>
+void aim_at_rest(chains::Chains<Real>& chains, const std::vector<ClumpedVertex>& vertices);
+
+/// As aim, on a skin, by where it carries each strand.
+template <class Real>
+void aim_on_skin(chains::Chains<Real>& chains, const std::vector<ClumpedVertex>& vertices,
+                 std::span<const chains::SkinFrame> frames);
 
 }  // namespace cuticle::sim::clumping

@@ -43,8 +43,9 @@ bool Watch::keeps_colliders(const FrameInput& input) {
   return same;
 }
 
-void Watch::follow(const FrameInput& input, const std::vector<Push>& pushes) {
-  bool still = started_ && !input.teleport && !pushes.empty() && input.head_begin == head_ && input.head_end == head_;
+void Watch::follow(const FrameInput& input, const std::vector<Push>& pushes, bool on_skin) {
+  const bool head_rests = on_skin || (input.head_begin == head_ && input.head_end == head_);
+  bool still = started_ && !input.teleport && !pushes.empty() && head_rests;
   for (const Push& push : pushes) {
     still &= push == push_;
     push_ = push;

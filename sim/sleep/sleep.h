@@ -15,8 +15,9 @@ void describe(registry::Members& members, Settings& sleep);
 /// Follows from frame to frame what acts on strands.
 class Watch {
  public:
-  /// Takes in a frame. `pushes`: what acts on all strands alike, of each substep.
-  void follow(const FrameInput& input, const std::vector<Push>& pushes);
+  /// Takes in a frame. `pushes`: what acts on all strands alike, of each substep. `on_skin`: a skin carries the hair,
+  /// and whether it moves a strand is not told here.
+  void follow(const FrameInput& input, const std::vector<Push>& pushes, bool on_skin);
   /// Whether something in the frame last followed differs, for this strand, from the frame before: the head does not
   /// stand where it stood, pushes are not bit for bit what they were, no time passes, it is a teleport, or the first
   /// frame; or colliders are others or move by themselves, and one may touch the strand in either frame

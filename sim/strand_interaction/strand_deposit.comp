@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // What every vertex counts at its eight nodes. Sums of 64 bits as two words: the low word's wraps are carried, and
 // their number does not depend on the order.
+const int k_skin_binding = 4;
 #include "sim/strand_interaction/strand_interaction.glsl"
 layout(binding = 0) readonly buffer World { vec4 world[]; };
 layout(binding = 1) readonly buffer Velocities { vec4 velocities[]; };
@@ -26,7 +27,7 @@ void count(uint node, int mass, ivec3 speed) {
 void main() {
   uint i = invocation();
   if (i >= vertex_count || masses[i] == 0u) return;
-  Spot spot = spot_of(world[i].xyz);
+  Spot spot = spot_of(frame_of(i), world[i].xyz);
   vec3 velocity = velocities[i].xyz;
   if (!spot.inside || any(greaterThan(abs(velocity), vec3(128))))
     atomicAdd(sums[nodes.x * nodes.y * nodes.z * k_words], 1u);

@@ -62,6 +62,7 @@ GridFrame<float> frame_constants(const StrandGrid& grid, const Settings& setting
 StrandInteraction::StrandInteraction(const StrandGrid& grid, const strands::Groom& rest, const Settings& settings)
     : grid_(grid),
       settings_(settings),
+      offsets_(rest.offsets),
       rest_densities_(rest_densities(grid, rest, settings.onset)),
       sums_(grid),
       places_(rest.positions),
@@ -74,15 +75,18 @@ Result<std::unique_ptr<StrandInteraction>> StrandInteraction::create(const stran
   return std::unique_ptr<StrandInteraction>(new StrandInteraction(grid, rest, settings));
 }
 
-std::span<const glm::vec3> StrandInteraction::changes(const glm::dmat3& rotation, double duration) {
+std::span<const glm::vec3> StrandInteraction::changes(std::span<const glm::dmat3> rotations, double duration) {
   sums_.deposit(places_, velocities_);
-  const GridFrame<float> frame = frame_constants(grid_, settings_, rotation, glm::dvec3(0), duration);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, changes_.size(), 1024), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
-      const Spot& spot = sums_.spot(i);
-      changes_[i] = spot.node == Spot::k_nowhere
-                        ? glm::vec3(0)
-                        : velocity_change(frame, found_of(sums_, spot), counted(velocities_[i]), rest_densities_[i]);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, offsets_.size() - 1, 64), [&](const auto& strands) {
+    for (std::size_t s = strands.begin(); s < strands.end(); ++s) {
+      const glm::dmat3& rotation = rotations[rotations.size() > 1 ? s : 0];
+      const GridFrame<float> frame = frame_constants(grid_, settings_, rotation, glm::dvec3(0), duration);
+      for (std::size_t i = offsets_[s]; i < offsets_[s + 1]; ++i) {
+        const Spot& spot = sums_.spot(i);
+        changes_[i] = spot.node == Spot::k_nowhere
+                          ? glm::vec3(0)
+                          : velocity_change(frame, found_of(sums_, spot), counted(velocities_[i]), rest_densities_[i]);
+      }
     }
   });
   return changes_;

@@ -5,8 +5,8 @@
 #include <glm/mat3x3.hpp>
 
 #include "sim/strand_interaction/settings.h"
-#include "sim/strand_interaction/strand_grid.h"
 #include "sim/strand_interaction/strand_grid.glslh"
+#include "sim/strand_interaction/strand_grid.h"
 
 namespace cuticle::sim::strand_interaction {
 
@@ -23,12 +23,14 @@ class StrandInteraction {
  public:
   /// Error: that of make_strand_grid.
   static Result<std::unique_ptr<StrandInteraction>> create(const strands::Groom& rest, const Settings& settings);
-  /// To be filled with the frame's end: places in the head's space (metres), velocities in world space (m/s).
+  /// To be filled with the frame's end: places in the head's space, or on a skin in that of each strand's root, at rest
+  /// (metres), velocities in world space (m/s).
   std::span<glm::vec3> places() { return places_; }
   std::span<glm::vec3> velocities() { return velocities_; }
   /// What the interaction adds to each velocity, m/s; zero outside the grid. Smoothing alone keeps the momentum that
-  /// the grid counts (StrandInteraction.Smoothing_KeepsMomentum). rotation, duration: as frame_constants.
-  std::span<const glm::vec3> changes(const glm::dmat3& rotation, double duration);
+  /// the grid counts (StrandInteraction.Smoothing_KeepsMomentum). rotations: from the places' space to the world's, one
+  /// for all strands or one for each; duration: as frame_constants.
+  std::span<const glm::vec3> changes(std::span<const glm::dmat3> rotations, double duration);
   /// As GridSums::left_out, of the last frame.
   std::uint32_t left_out() const { return sums_.left_out(); }
 
@@ -37,6 +39,7 @@ class StrandInteraction {
 
   StrandGrid grid_;
   Settings settings_;
+  std::vector<std::uint32_t> offsets_;  ///< of the strands' vertices
   std::vector<float> rest_densities_;
   GridSums sums_;
   std::vector<glm::vec3> places_, velocities_, changes_;

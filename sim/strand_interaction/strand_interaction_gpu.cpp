@@ -3,7 +3,9 @@
 #include <bit>
 
 #include <strand_deposit_comp.spv.h>
+#include <strand_deposit_on_skin.spv.h>
 #include <strand_push_comp.spv.h>
+#include <strand_push_on_skin.spv.h>
 
 #include "gpu/groups.h"
 
@@ -46,19 +48,44 @@ Result<std::unique_ptr<StrandInteractionGpu>> StrandInteractionGpu::create(gpu::
   return made;
 }
 
-void StrandInteractionGpu::record(gpu::Commands& commands, const SolverBuffers& buffers, const glm::dmat3& rotation,
-                                  const glm::dvec3& translation, double duration) {
-  const Constants constants{frame_constants(grid_, settings_, rotation, translation, duration), grid_.nodes,
-                            std::uint32_t(grid_.masses.size()), component_stride_, before_offset_};
+void StrandInteractionGpu::record_both(gpu::Commands& commands, const GridFrame<float>& frame,
+                                       const gpu::Kernel& deposit, const Bound& deposited, const gpu::Kernel& push,
+                                       const Bound& pushed) {
+  const Constants constants{frame, grid_.nodes, std::uint32_t(grid_.masses.size()), component_stride_, before_offset_};
   const gpu::Groups groups = gpu::groups_for(grid_.masses.size());
   commands.begin_pass("strand_interaction");
   commands.fill(sums_, 0);
-  commands.dispatch(deposit_, {buffers.world, buffers.velocities, &masses_, &sums_}, {}, gpu::bytes_of(constants),
-                    groups.x, groups.y);
-  commands.dispatch(push_,
-                    {buffers.world, buffers.velocities, &masses_, &sums_, &rest_densities_, &places_, buffers.state},
-                    {}, gpu::bytes_of(constants), groups.x, groups.y);
+  commands.dispatch(deposit, deposited, {}, gpu::bytes_of(constants), groups.x, groups.y);
+  commands.dispatch(push, pushed, {}, gpu::bytes_of(constants), groups.x, groups.y);
   commands.end_pass();
+}
+
+void StrandInteractionGpu::record(gpu::Commands& commands, const SolverBuffers& buffers, const glm::dmat3& rotation,
+                                  const glm::dvec3& translation, double duration) {
+  record_both(commands, frame_constants(grid_, settings_, rotation, translation, duration), deposit_,
+              {buffers.world, buffers.velocities, &masses_, &sums_}, push_,
+              {buffers.world, buffers.velocities, &masses_, &sums_, &rest_densities_, &places_, buffers.state});
+}
+
+Result<void> StrandInteractionGpu::make_for_skin(gpu::Device& device, const strands::Groom& rest) {
+  std::vector<std::uint32_t> strand_of_vertex;
+  for (std::uint32_t s = 0; s < rest.strand_count(); ++s) strand_of_vertex.resize(rest.offsets[s + 1], s);
+  CUTICLE_ASSIGN(strand_of_vertex_, buffer_of(device, strand_of_vertex));
+  const std::uint32_t bytes = sizeof(Constants);
+  CUTICLE_ASSIGN(deposit_on_skin_,
+                 device.make_kernel(strand_deposit_on_skin, {.storage_buffers = 7, .push_constant_bytes = bytes}));
+  CUTICLE_ASSIGN(push_on_skin_,
+                 device.make_kernel(strand_push_on_skin, {.storage_buffers = 10, .push_constant_bytes = bytes}));
+  return {};
+}
+
+void StrandInteractionGpu::record_on_skin(gpu::Commands& commands, const SolverBuffers& buffers,
+                                          const SkinBuffers& skin, double duration) {
+  record_both(commands, frame_constants(grid_, settings_, glm::dmat3(1), glm::dvec3(0), duration), deposit_on_skin_,
+              {buffers.world, buffers.velocities, &masses_, &sums_, skin.strands, skin.end, &strand_of_vertex_},
+              push_on_skin_,
+              {buffers.world, buffers.velocities, &masses_, &sums_, &rest_densities_, &places_, buffers.state,
+               skin.strands, skin.end, &strand_of_vertex_});
 }
 
 Result<std::vector<NodeSums>> StrandInteractionGpu::sums(gpu::Device& device) const {

@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // From the sums at its nodes what a vertex's velocity gains, in the solver's state and in what it hands over.
+const int k_skin_binding = 7;
 #include "sim/strand_interaction/strand_interaction.glsl"
 layout(binding = 0) readonly buffer World { vec4 world[]; };
 layout(binding = 1) buffer Velocities { vec4 velocities[]; };
@@ -41,10 +42,11 @@ void push(uint first, vec3 change) {
 void main() {
   uint i = invocation();
   if (i >= vertex_count || masses[i] == 0u || state_places[i] == 0xffffffffu) return;
-  Spot spot = spot_of(world[i].xyz);
+  GridFrame frame = frame_of(i);
+  Spot spot = spot_of(frame, world[i].xyz);
   if (!spot.inside) return;
   vec3 velocity = velocities[i].xyz;
-  vec3 change = velocity_change(grid, found_of(spot), vec3(counted(velocity)), rest_densities[i]);
+  vec3 change = velocity_change(frame, found_of(spot), vec3(counted(velocity)), rest_densities[i]);
   push(state_places[i], change);
   if (before_offset != 0u) push(state_places[i] + before_offset, change);
   velocities[i].xyz = velocity + change;

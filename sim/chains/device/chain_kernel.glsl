@@ -87,9 +87,12 @@ void main() {
     first_vertex = blocks[place.x].y;
     lane = place.y;
     strand_base = place.x * strand_row_count * k_lanes + lane;
-    if (k_sleeps && sleeps_on()) return;
 #if ON_SKIN
     on_skin = skin_strands[strand];
+    is_woken = is_woken || moves_strand();
+#endif
+    if (k_sleeps && sleeps_on()) return;
+#if ON_SKIN
     if (carries != 0u) reset(links);
 #else
     if (carries != 0u) carry_state(links);

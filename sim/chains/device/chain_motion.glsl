@@ -10,9 +10,13 @@ float share_at(uint moment) { return float(moment) / float(max(step_count, 1u));
 vec3 anchor_on_skin(uint moment) { return skin_place(on_skin.vertices.x, share_at(moment)); }
 SkinTurn turn_at(uint part) {
   float share = share_at(part);
-  vec3 anchor = skin_place(on_skin.vertices.x, share);
-  return skin_turn(on_skin.along.xyz, on_skin.across.xyz, skin_place(on_skin.vertices.y, share) - anchor,
-                   skin_place(on_skin.vertices.z, share) - anchor, on_skin.along.w > 0);
+  return turn_of(on_skin, skin_place(on_skin.vertices.x, share), skin_place(on_skin.vertices.y, share),
+                 skin_place(on_skin.vertices.z, share));
+}
+bool skin_moves(uint vertex) { return skin_begin[vertex].xyz != skin_end[vertex].xyz; }
+// Whether it carries the strand anywhere else in the frame.
+bool moves_strand() {
+  return skin_moves(on_skin.vertices.x) || skin_moves(on_skin.vertices.y) || skin_moves(on_skin.vertices.z);
 }
 vec3 turned_by(SkinTurn t, vec3 v) { return t.x * v.x + t.y * v.y + t.z * v.z; }
 

@@ -17,7 +17,7 @@
 namespace cuticle::sim::chains {
 namespace {
 
-static_assert(sizeof(SkinStrand) == 48, "the layout of chain_storage.glsl");
+static_assert(sizeof(SkinStrand) == 64, "the layout of skin_strand.glsl");
 constexpr std::uint32_t k_buffers = 16, k_buffers_beside_all = 20, k_skin_buffers = 3;
 static_assert(sizeof(LinkField<float>) == 80, "the layout of field_contact.glslh");
 static_assert(sizeof(ColliderCarry<float>) == 48, "the layout of moving_contact.glslh");
@@ -83,7 +83,7 @@ class ChainGpuSolver final : public GpuSolver {
     Constants constants{std::uint32_t(rest_.strand_count()),     std::uint32_t(steps.size()),
                         std::uint32_t(colliders.spheres.size()), std::uint32_t(colliders.box_count()),
                         std::uint32_t(colliders.field_count()),  parts[0].carry.w != 1.f};
-    if (settings_.sleep) set_sleep(constants, input, steps);
+    if (settings_.sleep) set_sleep(constants, input, steps, false);
     if (!steps.empty()) CUTICLE_TRY(refill(*device_, buffers_.steps, steps));
     CUTICLE_TRY(upload(colliders));
     CUTICLE_TRY(upload_reach(input));
@@ -102,7 +102,6 @@ class ChainGpuSolver final : public GpuSolver {
 
   Result<void> record_on_skin(gpu::Commands& commands, const FrameInput& input, const gpu::Buffer& skinned) override {
     CUTICLE_EXPECT(skinned.size() >= buffers_.world.size(), "a place per vertex");
-    CUTICLE_TRY(check_on_skin(settings_));
     CUTICLE_ASSIGN(const std::vector<Substep> parts,
                    motion_.advance_on_skin(input, substeps(settings_, input.duration)));
     placing_.advance(parts);
@@ -118,10 +117,19 @@ class ChainGpuSolver final : public GpuSolver {
                         .all_fields = std::uint32_t(colliders.field_count()),
                         .carries = parts[0].onto_skin,
                         .frame_time = float(input.duration)};
+    if (settings_.sleep) set_sleep(constants, input, steps, true);
+    CUTICLE_TRY(upload_reach(input));
     CUTICLE_ASSIGN(const gpu::Kernel* kernel, skin_kernel_for(constants));
+    if (clumping_ && parts[0].onto_skin) CUTICLE_TRY(refill(*device_, buffers_.rest, chains_.rest));
+    if (clumping_ && !steps.empty())
+      clumping_->record_on_skin(commands, buffers_.state, buffers_.rest,
+                                {&buffers_.skin_strands, &buffers_.skin_begin, parts[0].onto_skin});
     commands.begin_pass(program_.name);
     dispatch(commands, *kernel, constants, &skinned);
     commands.end_pass();
+    if (interaction_ && !steps.empty())
+      interaction_->record_on_skin(commands, {&buffers_.world, &buffers_.velocities, &buffers_.state},
+                                   {&buffers_.skin_strands, &skinned}, input.duration);
     commands.copy(skinned, buffers_.skin_begin, buffers_.world.size());
     return {};
   }
@@ -179,7 +187,8 @@ class ChainGpuSolver final : public GpuSolver {
     CUTICLE_TRY(
         refill(*device_, buffers_.frame, std::array{frame_place({0, 0, 0, 1}, placing_)}));  // which nobody reads
     CUTICLE_ASSIGN(buffers_.skin_begin, device_->make_buffer(buffers_.world.size()));
-    return {};
+    if (clumping_) CUTICLE_TRY(clumping_->make_for_skin(*device_));
+    return interaction_ ? interaction_->make_for_skin(*device_, rest_) : Result<void>();
   }
 
   /// None where nobody follows.
@@ -250,8 +259,8 @@ class ChainGpuSolver final : public GpuSolver {
     return {};
   }
 
-  void set_sleep(Constants& constants, const FrameInput& input, std::span<const ChainStep<float>> steps) {
-    watch_.follow(input, pushes_of<float>(steps));
+  void set_sleep(Constants& constants, const FrameInput& input, std::span<const ChainStep<float>> steps, bool on_skin) {
+    watch_.follow(input, pushes_of<float>(steps), on_skin);
     constants.sleep_speed = settings_.sleep->speed;
     constants.sleep_time = settings_.sleep->time;
     constants.frame_time = float(input.duration);

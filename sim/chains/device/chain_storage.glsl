@@ -4,7 +4,7 @@
 #include "sim/chains/rows.glslh"
 #include "sim/finite.glsl"
 #if ON_SKIN
-#include "sim/chains/skin/skin_turn.glslh"
+#include "sim/chains/skin/skin_strand.glsl"
 #endif
 layout(local_size_x = 64) in;
 
@@ -38,10 +38,6 @@ layout(binding = 19) readonly buffer Carries { ColliderCarry collider_carries[];
 const bool k_some_move = false;
 #endif
 #if ON_SKIN
-struct SkinStrand {
-  vec4 along, across;  // unit, at rest; along.w: whether the strand bends
-  uvec4 vertices;      // anchor, farthest, side
-};
 const int k_skin_binding = TOUCHES == 2 ? 20 : 16;
 layout(binding = k_skin_binding) readonly buffer SkinStrands { SkinStrand skin_strands[]; };
 layout(binding = k_skin_binding + 1) readonly buffer SkinBegin { vec4 skin_begin[]; };  // where the skin has the vertices

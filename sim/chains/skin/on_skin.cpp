@@ -2,14 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
-#include <fmt/core.h>
+#include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
 namespace cuticle::sim::chains {
 namespace {
 
-constexpr double k_least_bend = 1e-3;  // of the distance from the anchor to the farthest vertex
+constexpr double k_least_bend = 1e-3;   // of the distance from the anchor to the farthest vertex
+constexpr double k_least_beside = 0.3;  // of a root's distance, off a strand's own line
+constexpr std::size_t k_neighbours = 16;
 
 glm::dvec3 any_across(const glm::dvec3& direction) {
   const glm::dvec3 axis = std::abs(direction.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
@@ -36,10 +40,54 @@ SkinStrand skin_strand(const strands::Groom& rest, std::size_t index, std::size_
     across = off / bend;
     strand.side = std::uint32_t(i);
   }
+  strand.root = rest.positions[anchor];
   strand.along = along;
   strand.across = across;
   strand.bends = bend > 0;
   return strand;
+}
+
+/// The ten bits with two zeros before each.
+std::uint32_t spread(std::uint32_t bits) {
+  for (const auto& [shift, mask] :
+       {std::pair(16u, 0x030000FFu), {8u, 0x0300F00Fu}, {4u, 0x030C30C3u}, {2u, 0x09249249u}})
+    bits = (bits | bits << shift) & mask;
+  return bits;
+}
+
+/// Strands that have vertices, in an order in which near roots are near each other (Morton 1966).
+std::vector<std::uint32_t> in_morton_order(const strands::Groom& rest, const std::vector<SkinStrand>& strands) {
+  strands::Bounds bounds;
+  for (const SkinStrand& strand : strands)
+    bounds = {glm::min(bounds.lower, strand.root), glm::max(bounds.upper, strand.root)};
+  const glm::vec3 size = bounds.upper - bounds.lower;
+  const float scale = 1023 / std::max({size.x, size.y, size.z, 1e-9f});
+  std::vector<std::uint32_t> codes, order;
+  for (std::uint32_t s = 0; s < strands.size(); ++s) {
+    const glm::uvec3 cell((strands[s].root - bounds.lower) * scale);
+    codes.push_back(spread(cell.x) | spread(cell.y) << 1 | spread(cell.z) << 2);
+    if (rest.strand_size(s) > 0) order.push_back(s);
+  }
+  std::ranges::stable_sort(order, {}, [&](std::uint32_t s) { return codes[s]; });
+  return order;
+}
+
+/// Of a strand that does not bend, the turn about its own line, by the nearest of some roots that lie off it.
+void look_beside(std::vector<SkinStrand>& strands, const std::vector<std::uint32_t>& order, std::size_t at) {
+  SkinStrand& strand = strands[order[at]];
+  if (strand.bends > 0) return;
+  double nearest = std::numeric_limits<double>::infinity();
+  const std::size_t begin = at - std::min(at, k_neighbours), end = std::min(order.size(), at + k_neighbours + 1);
+  for (std::size_t k = begin; k < end; ++k) {
+    const glm::dvec3 away(strands[order[k]].root - strand.root), along(strand.along);
+    const glm::dvec3 off = away - along * glm::dot(along, away);
+    const double distance = glm::length(away), beside = glm::length(off);
+    if (!(beside > k_least_beside * distance) || distance >= nearest) continue;
+    nearest = distance;
+    strand.across = off / beside;
+    strand.side = strands[order[k]].anchor;
+  }
+  strand.bends = nearest < std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -51,16 +99,10 @@ std::vector<SkinStrand> skin_strands(const strands::Groom& rest, const ChainSett
     const std::size_t clamped = std::min<std::size_t>(settings.clamped_vertices, rest.strand_size(s));
     result[s] = skin_strand(rest, s, rest.offsets[s] + clamped - 1);
   }
+  if (!settings.clumping && !settings.interaction) return result;
+  const std::vector<std::uint32_t> order = in_morton_order(rest, result);
+  for (std::size_t k = 0; k < order.size(); ++k) look_beside(result, order, k);
   return result;
-}
-
-Result<void> check_on_skin(const ChainSettings& settings) {
-  std::string_view refused;
-  if (settings.interaction) refused = "the effect 'strand_interaction'";
-  if (settings.clumping) refused = "the effect 'clumping'";
-  if (settings.sleep) refused = "the effect 'sleep'";
-  if (refused.empty()) return {};
-  return usage_error(fmt::format("skinned: hair on a skin cannot have {} with this solver", refused), "leave it out");
 }
 
 template <class Real>
@@ -135,6 +177,22 @@ Placing OnSkin<Real>::placing(std::size_t block, std::size_t lane) const {
   const SkinTurn<double> before = turn_at(strand, 1 - 1 / double(steps_)), now = turn_at(strand, 1);
   return Placing({before.x, before.y, before.z}, {now.x, now.y, now.z}, velocity(strands_[strand].anchor),
                  duration_ / double(steps_));
+}
+
+template <class Real>
+std::vector<SkinFrame> OnSkin<Real>::frames(double share) const {
+  std::vector<SkinFrame> frames(strands_.size());
+  tbb::parallel_for(std::size_t(0), frames.size(), [&](std::size_t s) {
+    const SkinTurn<double> turn = turn_at(s, share);
+    frames[s] = {{turn.x, turn.y, turn.z}, place_at(strands_[s].anchor, share)};
+  });
+  return frames;
+}
+
+template <class Real>
+bool OnSkin<Real>::moves(std::size_t strand) const {
+  const SkinStrand& s = strands_[strand];
+  return begin_[s.anchor] != end_[s.anchor] || begin_[s.farthest] != end_[s.farthest] || begin_[s.side] != end_[s.side];
 }
 
 template <class Real>

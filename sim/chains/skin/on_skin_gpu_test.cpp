@@ -96,11 +96,5 @@ TEST_P(OnSkinKernel, BesideColliders_FramesAreThoseOfTheCpu) {
   EXPECT_LT(apart, 4e-4);  // measured: 7.2e-5, 4.5e-6
 }
 
-TEST_P(OnSkinKernel, Clumping_IsRefused) {
-  const strands::Groom groom = ring(40);
-  auto kernel = make_gpu(GetParam(), groom, "", {{"clumping", settings_of("clumping")}});
-  EXPECT_FALSE(advance_on(*kernel, groom.positions, {}).ok());
-}
-
 }  // namespace
 }  // namespace cuticle::sim::on_skin_gpu_test

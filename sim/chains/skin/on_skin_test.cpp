@@ -117,10 +117,6 @@ TEST_P(OnSkin, StrandWhoseSquaresOverflow_TouchesNoOther) {
 TEST_P(OnSkin, WhatItCannotHave_IsRefused) {
   const strands::Groom groom = ring(2);
   std::vector<glm::vec3> skinned = groom.positions;
-  for (const char* effect : {"clumping", "strand_interaction", "sleep"})
-    EXPECT_FALSE(
-        make_solver(GetParam(), groom, "", {{effect, settings_of(effect)}})->advance({.skinned = skinned}).ok())
-        << effect;
   auto solver = make_solver(GetParam(), groom, "", gravity_and_colliders());
   advance_on(*solver, skinned);
   EXPECT_FALSE(solver->advance({}).ok());
