@@ -22,7 +22,7 @@ namespace {
 
 struct ShadowsOptions {
   std::string groom, light = "1,1,0.3", methods = "none,opacity_map", layers, resolutions, filters, filter_texels,
-                     spacings, points, out, alpha_rgb, camera, weights = "at_vertices";
+                     spacings, settings, points, out, alpha_rgb, camera, weights = "at_vertices";
   strands::ReadOptions read;
   study::Request request;
   double alpha = 0.4, footprint_mm = 0;
@@ -74,6 +74,9 @@ Result<study::Sweep> parse_sweep(const ShadowsOptions& options, double footprint
     CUTICLE_ASSIGN(sweep.filter_texels, parse_numbers("--filter-texels", options.filter_texels));
   }
   if (!options.spacings.empty()) sweep.spacings = split_list(options.spacings);
+  if (!options.settings.empty()) {
+    CUTICLE_ASSIGN(sweep.settings, study::parse_method_settings(split_list(options.settings)));
+  }
   sweep.skip_unfit = options.methods == "all" || !options.camera.empty();
   return sweep;
 }
@@ -327,6 +330,8 @@ void add_options(CLI::App& command, ShadowsOptions& options) {
   command.add_option("--filter-texels", options.filter_texels, "the same in texels of each map, a,b,c")
       ->excludes("--filter");
   command.add_option("--spacing", options.spacings, "spacings of the layers of the methods that have them, a,b,c");
+  command.add_option("--set", options.settings,
+                     "other parameters of the methods, METHOD.NAME=VALUE,.. (cuticle methods lists them)");
   command
       .add_option("--footprint-mm", options.footprint_mm,
                   "radius that the truth is averaged over; 0 = two fibre spacings, with --camera none")

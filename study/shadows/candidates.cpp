@@ -108,6 +108,8 @@ Result<void> add_method(const shadows::Method& method, const Sweep& sweep, std::
   for (const auto& [layers, settings] : layer_axes(method, sweep.layers)) {
     Candidate start{&method, {}};
     CUTICLE_ASSIGN(start.values, registry::parse_assignments(method.entry.parameters, settings));
+    for (const MethodSetting& setting : sweep.settings)
+      if (setting.method == method.entry.name) CUTICLE_TRY(set_known(start, setting.parameter, setting.value));
     const Axis axes[] = {number_axis(method, sweep.resolutions, {"resolution"}), layers,
                          text_axis(method, sweep.spacings, "spacing"),
                          text_axis(method, texts_of(sweep.filter_radii, 1e3), "filter_radius_mm"),
@@ -117,9 +119,30 @@ Result<void> add_method(const shadows::Method& method, const Sweep& sweep, std::
   return {};
 }
 
+Result<void> check_setting(std::span<const std::string> methods, const MethodSetting& setting) {
+  CUTICLE_ASSIGN(const shadows::Method* method, shadows::find_method(setting.method));
+  CUTICLE_TRY(registry::find_parameter(method->entry.parameters, setting.parameter));
+  if (std::ranges::find(methods, setting.method) != methods.end()) return {};
+  return usage_error(
+      fmt::format("{}.{} is set, but {} is not among the methods", setting.method, setting.parameter, setting.method));
+}
+
 }  // namespace
 
+Result<std::vector<MethodSetting>> parse_method_settings(const std::vector<std::string>& texts) {
+  std::vector<MethodSetting> settings;
+  for (const std::string& text : texts) {
+    const std::size_t dot = text.find('.'), equals = text.find('=');
+    if (dot == std::string::npos || equals == std::string::npos || equals < dot)
+      return usage_error(fmt::format("--set: '{}' is not METHOD.NAME=VALUE", text),
+                         "--set deep_opacity.layer_range=map,opacity_map.between=even");
+    settings.push_back({text.substr(0, dot), text.substr(dot + 1, equals - dot - 1), text.substr(equals + 1)});
+  }
+  return settings;
+}
+
 Result<std::vector<Candidate>> candidates_of(std::span<const std::string> methods, const Sweep& sweep) {
+  for (const MethodSetting& setting : sweep.settings) CUTICLE_TRY(check_setting(methods, setting));
   std::vector<Candidate> candidates;
   for (const std::string& name : methods) {
     CUTICLE_ASSIGN(const shadows::Method* method, shadows::find_method(name));

@@ -19,16 +19,25 @@
 namespace cuticle::study {
 
 /// Settings that several methods have, under names of their own: each method takes those that it has a parameter for.
+/// A parameter of one method, as text.
+struct MethodSetting {
+  std::string method, parameter, value;
+};
+/// Of METHOD.NAME=VALUE each. Error: usage, for a text that is none.
+Result<std::vector<MethodSetting>> parse_method_settings(const std::vector<std::string>& texts);
+
 struct Sweep {
-  std::vector<std::int64_t> layers;        ///< "slices" or "layers"; empty: the method's default
-  std::vector<std::int64_t> resolutions;   ///< "resolution"
-  std::vector<double> filter_radii;        ///< metres, "filter_radius_mm"; empty: the method's default
-  std::vector<std::string> spacings;       ///< "spacing"; empty: the method's default
-  bool skip_unfit = false;                 ///< a method that takes none of the numbers is left out, not refused
-  std::vector<double> filter_texels = {};  ///< "filter_texels"; empty: the method's default
+  std::vector<std::int64_t> layers;          ///< "slices" or "layers"; empty: the method's default
+  std::vector<std::int64_t> resolutions;     ///< "resolution"
+  std::vector<double> filter_radii;          ///< metres, "filter_radius_mm"; empty: the method's default
+  std::vector<std::string> spacings;         ///< "spacing"; empty: the method's default
+  bool skip_unfit = false;                   ///< a method that takes none of the numbers is left out, not refused
+  std::vector<double> filter_texels = {};    ///< "filter_texels"; empty: the method's default
+  std::vector<MethodSetting> settings = {};  ///< of every candidate of their methods, where nothing above sets the same
 };
 /// Each method with every combination of settings that it knows. A method without slices or layers comes in each of its
-/// registered study cases instead, where layers are swept. Error: usage, for an unknown method or a value out of range.
+/// registered study cases instead, where layers are swept. Error: usage, for an unknown method or a value out of range,
+/// and for a setting of a method that is not among them or lacks the parameter.
 Result<std::vector<Candidate>> candidates_of(std::span<const std::string> methods, const Sweep& sweep);
 /// Numbers of the sweep that a method with others of them does not take, a sentence each: "deep_opacity: layers 64
 /// left out, it takes 1 .. 16".

@@ -57,6 +57,21 @@ def test_Shadows_FiltersAndSpacings_AreSwept(groom):
     assert len({row["settings"] for row in table}) == 4 + 1, "and the baselines without any"
 
 
+def test_Shadows_AParameterThatIsSet_IsThatOfItsMethodAlone(groom):
+    given = rows(*options(groom), "--methods", "deep_opacity,opacity_map", "--set", "deep_opacity.layer_range=map")
+    usual = rows(*options(groom), "--methods", "deep_opacity,opacity_map")
+    errors = lambda table: {row["method"]: row["mean_error"] for row in table}
+    assert errors(given)["opacity_map"] == errors(usual)["opacity_map"]
+    assert errors(given)["deep_opacity"] != errors(usual)["deep_opacity"]
+    assert any("layer_range=map" in row["settings"] for row in given)
+
+
+@pytest.mark.parametrize("settings, said", [("deep_opacity.layer_rang=map", "layer_range"), ("layer_range=map", "METHOD.NAME=VALUE"),
+                                            ("deep_opacity.layer_range=all", "layer_range"), ("voxel.resolution=64", "not among the methods")])
+def test_Shadows_ASettingThatNoMethodTakes_IsRefused(groom, settings, said):
+    assert said in refused(2, *options(groom), "--methods", "deep_opacity", "--set", settings)
+
+
 def test_Shadows_Camera_ErrorFallsWithResolutionAndSoDoesTheFirstPlot(groom, tmp_path):
     folder = tmp_path / "out"
     command = ["shadows", groom, "--metres-per-unit", "1", "--radius", "0.0002", "--camera", "0,1,1", "--light", "1,1,0.3", "--receivers", "300",

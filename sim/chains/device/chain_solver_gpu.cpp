@@ -7,8 +7,7 @@
 
 #include "sim/chains/contact/frame_colliders.h"
 #include "sim/chains/device/chain_solver_gpu.h"
-#include "sim/chains/device/layout.glslh"
-#include "sim/chains/placing.h"
+#include "sim/chains/device/frame_place.h"
 #include "sim/chains/skin/on_skin.h"
 #include "sim/clumping/clumping_gpu.h"
 #include "sim/colliders/distance_field.h"
@@ -21,23 +20,6 @@ static_assert(sizeof(SkinStrand) == 64, "the layout of skin_strand.glsl");
 constexpr std::uint32_t k_buffers = 16, k_buffers_beside_all = 20, k_skin_buffers = 3;
 static_assert(sizeof(LinkField<float>) == 80, "the layout of field_contact.glslh");
 static_assert(sizeof(ColliderCarry<float>) == 48, "the layout of moving_contact.glslh");
-
-FramePlace frame_place(const glm::vec4& carry, const Placing& placing) {
-  const glm::dmat3 carried = matrix_of(carry);
-  const glm::dvec3 zero(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1), moving = placing.velocity(zero);
-  const auto packed = [](const glm::dvec3& v) { return glm::vec4(glm::dvec4(v, 0)); };
-  return {.carry_x = packed(carried[0]),
-          .carry_y = packed(carried[1]),
-          .carry_z = packed(carried[2]),
-          .turn_x = packed(placing.turned(x)),
-          .turn_y = packed(placing.turned(y)),
-          .turn_z = packed(placing.turned(z)),
-          .turning_x = packed(placing.velocity(x) - moving),
-          .turning_y = packed(placing.velocity(y) - moving),
-          .turning_z = packed(placing.velocity(z) - moving),
-          .translation = packed(placing.world(zero)),
-          .moving = packed(moving)};
-}
 
 struct Buffers {
   gpu::Buffer places, blocks, offsets, vertices, rest, state, strands, scratch, steps, spheres, frame, world,
