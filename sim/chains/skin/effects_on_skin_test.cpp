@@ -101,7 +101,7 @@ TEST_P(EffectsOnSkin, SkinThatDeforms_KeepsLengthsAndLeavesNobodyOut) {
   EffectBlocks effects = gravity_and_interaction("pressure=5");
   effects["clumping"] = settings_of("clumping", "strands_per_clump=4");
   const strands::Groom groom = ring(60);
-  auto solver = make_solver(GetParam(), groom, "", effects), single = make_solver(GetParam(), groom, "", effects);
+  auto solver = make_solver(GetParam(), groom, "", effects);
   for (int frame = 0; frame < 30; ++frame) {
     const std::vector<glm::vec3> skinned = on_turning_roots(groom, frame / 30.0);
     advance_on(*solver, skinned);
