@@ -117,7 +117,8 @@ struct FrameRunner::Impl {
     CUTICLE_TRY(check_told_strands(next));
     painted = passed = k_none;
     const bool moves = next.simulation != scene.simulation;
-    const bool other_passes = next.shadow != scene.shadow || next.passes != scene.passes ||
+    const bool other_passes = next.shadow != scene.shadow || next.fibre_alpha != scene.fibre_alpha ||
+                              next.caster_share != scene.caster_share || next.passes != scene.passes ||
                               next.render_method != scene.render_method ||
                               !same_but_for_parameters(next.material, scene.material);
     const bool draws = other_passes || next.material != scene.material;

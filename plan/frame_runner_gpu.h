@@ -48,8 +48,8 @@ class FrameRunner {
   static Result<std::unique_ptr<FrameRunner>> create(std::shared_ptr<gpu::Device> device, const scene::Scene& scene,
                                                      Progress& progress, Trace* trace = nullptr);
   ~FrameRunner();
-  /// The same hair by a changed scene: material, solver and effects, shadow method, passes, way of drawing and camera
-  /// may differ, each with its parameters; the rest is not read again. Makes anew only what they touch; frames are as
+  /// The same hair by a changed scene: material, solver and effects, shadow method and opacity of fibres, passes, way of
+  /// drawing and camera may differ, each with its parameters; the rest is not read again. Makes anew only what they touch; frames are as
   /// those of a new runner. Errors: as create, and usage for another resolution; the scene before then stands.
   Result<void> change(const scene::Scene& scene, Progress& progress);
   const Plan& plan() const;

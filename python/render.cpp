@@ -57,8 +57,8 @@ nb::tuple run(Frames& frames, int frame, const nb::object& call) {
     return frames.run(frame, progress);
   }();
   PaintedFrame painted = value_or_raise(std::move(result));
-  return nb::make_tuple(array_of(std::move(painted.color)), array_of(std::move(painted.layers)), arrays_of(painted.shares),
-                        painted.notes);
+  return nb::make_tuple(array_of(std::move(painted.color)), array_of(std::move(painted.layers)),
+                        arrays_of(painted.shares), painted.notes);
 }
 
 std::unique_ptr<Frames> open(const std::string& json, const std::string& folder, const std::string& device,
@@ -70,6 +70,17 @@ std::unique_ptr<Frames> open(const std::string& json, const std::string& folder,
     return open_frames(scene, device, progress);
   }();
   return value_or_raise(std::move(opened));
+}
+
+void change(Frames& frames, const std::string& json, const std::string& folder, const std::vector<std::string>& blocks,
+            const nb::object& call) {
+  const scene::Scene given = value_or_raise(parse_scene(json, folder));
+  CalledProgress progress(call);
+  auto changed = [&] {
+    const nb::gil_scoped_release released;
+    return frames.change(given, blocks, progress);
+  }();
+  if (!changed) raise(changed.error());
 }
 
 using Pixels = nb::ndarray<const float, nb::ndim<3>, nb::c_contig, nb::device::cpu>;
@@ -89,11 +100,19 @@ nb::object tone_mapped(const Pixels& pixels, double exposure_stops) {
 void add_render(nb::module_& module) {
   nb::class_<Frames>(module, "Frames")
       .def("run", &run, nb::arg(), nb::arg().none())
+      .def("change", &change, nb::arg(), nb::arg(), nb::arg(), nb::arg().none())
+      .def("resolution",
+           [](const Frames& frames) {
+             const glm::ivec2 size = frames.resolution();
+             return nb::make_tuple(size.x, size.y);
+           })
       .def("strands", [](Frames& frames) { return in_file(value_or_raise(frames.strands())); })
       .def("plan", &Frames::plan)
       .def("device", &Frames::device);
   module.def("open_frames", &open, nb::arg(), nb::arg(), nb::arg(), nb::arg().none());
   module.def("plan_json", &plan_json);
+  module.def("changed_blocks",
+             [] { return std::vector<std::string>(std::begin(k_changed_blocks), std::end(k_changed_blocks)); });
   module.def("hair_of", &hair_of);
   module.def("scene_schema", [] { return scene::scene_schema(plan::catalogue()); });
   module.def("tone_map", &tone_mapped);

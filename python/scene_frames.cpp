@@ -14,35 +14,62 @@ namespace {
 
 class TracedFrames final : public Frames {
  public:
-  explicit TracedFrames(std::unique_ptr<plan::TracedSceneRunner> runner) : runner_(std::move(runner)) {}
+  TracedFrames(const scene::Scene& scene, std::unique_ptr<plan::TracedSceneRunner> runner)
+      : resolution_(scene.camera.camera.resolution), runner_(std::move(runner)) {}
   Result<PaintedFrame> run(int frame, Progress& progress) override {
     CUTICLE_ASSIGN(plan::TracedFrame traced, runner_->run(frame, progress));
     return PaintedFrame{std::move(traced.color), std::move(traced.layers), std::move(traced.shares), {traced.note}};
   }
+  Result<void> change(const scene::Scene&, const std::vector<std::string>&, Progress&) override {
+    return usage_error("a scene that the reference traces on the CPU does not change", "open another Renderer");
+  }
+  glm::ivec2 resolution() const override { return resolution_; }
   Result<strands::Groom> strands() override { return runner_->drawn_strands(); }
   std::string plan() const override { return plan::to_json(runner_->plan()); }
   std::string device() const override { return "cpu"; }
 
  private:
+  glm::ivec2 resolution_;
   std::unique_ptr<plan::TracedSceneRunner> runner_;
 };
 
 #ifdef CUTICLE_HAS_GPU
+void take_block(std::string_view block, const scene::Scene& given, scene::Scene& scene) {
+  if (block == "camera") scene.camera = given.camera;
+  if (block == "material") scene.material = given.material;
+  if (block == "passes") scene.passes = given.passes;
+  if (block == "render") scene.render_method = given.render_method;
+  if (block == "simulation") scene.simulation = given.simulation;
+  if (block != "shadow") return;
+  scene.shadow = given.shadow;
+  scene.fibre_alpha = given.fibre_alpha;
+  scene.caster_share = given.caster_share;
+}
+
 class DeviceFrames final : public Frames {
  public:
-  DeviceFrames(std::string device, std::unique_ptr<plan::FrameRunner> runner)
-      : device_(std::move(device)), runner_(std::move(runner)) {}
+  DeviceFrames(std::string device, scene::Scene scene, std::unique_ptr<plan::FrameRunner> runner)
+      : device_(std::move(device)), scene_(std::move(scene)), runner_(std::move(runner)) {}
   Result<PaintedFrame> run(int frame, Progress& progress) override {
     progress.update("frame", 0, 1);
     CUTICLE_ASSIGN(plan::FrameResult done, runner_->run(frame, {.progress = &progress}));
     return PaintedFrame{std::move(done.color), std::move(done.aovs), std::move(done.shares), std::move(done.notes)};
   }
+  Result<void> change(const scene::Scene& given, const std::vector<std::string>& blocks, Progress& progress) override {
+    scene::Scene next = scene_;
+    for (const std::string& block : blocks) take_block(block, given, next);
+    CUTICLE_TRY(runner_->change(next, progress));
+    scene_ = std::move(next);
+    return {};
+  }
+  glm::ivec2 resolution() const override { return scene_.camera.camera.resolution; }
   Result<strands::Groom> strands() override { return runner_->drawn_strands(); }
   std::string plan() const override { return plan::to_json(runner_->plan()); }
   std::string device() const override { return device_; }
 
  private:
   std::string device_;
+  scene::Scene scene_;
   std::unique_ptr<plan::FrameRunner> runner_;
 };
 
@@ -51,7 +78,7 @@ Result<std::unique_ptr<Frames>> open_on_device(const scene::Scene& scene, const 
   CUTICLE_ASSIGN(std::shared_ptr<gpu::Device> device, gpu::Device::open({.choice = choice}));
   const std::string name = device->info().name;
   CUTICLE_ASSIGN(auto runner, plan::FrameRunner::create(std::move(device), scene, progress));
-  return std::unique_ptr<Frames>(std::make_unique<DeviceFrames>(name, std::move(runner)));
+  return std::unique_ptr<Frames>(std::make_unique<DeviceFrames>(name, scene, std::move(runner)));
 }
 #else
 Result<std::unique_ptr<Frames>> open_on_device(const scene::Scene& scene, const std::string&, Progress&) {
@@ -88,7 +115,7 @@ Result<std::unique_ptr<Frames>> open_frames(const scene::Scene& scene, const std
   const bool on_cpu = scene.render_method == "reference" && device.empty() && !scene.character && !scene.fins;
   if (!on_cpu) return open_on_device(scene, device, progress);
   CUTICLE_ASSIGN(auto runner, plan::TracedSceneRunner::create(scene, progress));
-  return std::unique_ptr<Frames>(std::make_unique<TracedFrames>(std::move(runner)));
+  return std::unique_ptr<Frames>(std::make_unique<TracedFrames>(scene, std::move(runner)));
 }
 
 }  // namespace cuticle::python

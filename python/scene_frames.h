@@ -29,11 +29,19 @@ struct PaintedFrame {
   std::vector<SeenShare> shares;
   std::vector<std::string> notes;
 };
+/// What may change in a scene that is ready to be drawn.
+inline constexpr std::string_view k_changed_blocks[] = {"camera", "material", "passes",
+                                                        "render", "shadow",   "simulation"};
 /// A scene that is ready to be drawn.
 class Frames {
  public:
   virtual ~Frames() = default;
   virtual Result<PaintedFrame> run(int frame, Progress& progress) = 0;
+  /// `given`'s blocks of these names (k_changed_blocks), as a scene file has them, in place of the scene's own; where
+  /// they are refused, the scene stands. Errors: those of FrameRunner::change; usage, on the CPU.
+  virtual Result<void> change(const scene::Scene& given, const std::vector<std::string>& blocks,
+                              Progress& progress) = 0;
+  virtual glm::ivec2 resolution() const = 0;
   virtual Result<strands::Groom> strands() = 0;
   virtual std::string plan() const = 0;  ///< JSON
   virtual std::string device() const = 0;

@@ -115,6 +115,7 @@ class Renderer:
                    _within("outputs", aovs=True if layers else None, deep=True if seen else None), _paths(samples)]
         with _Written(scene, folder, changes) as (text, of_paths):
             self._frames = _cuticle.open_frames(text, of_paths, device, self._progress)
+            self._folder = of_paths
         self.plan = Plan(self._frames.plan())
         self.device = self._frames.device()
         self.layers = {}
@@ -127,6 +128,20 @@ class Renderer:
         self.layers = _layers(layers, names) if layers.size else {}
         self.seen = _seen(places, shares, pixels.shape[1])
         return pixels
+
+    def change(self, **blocks):
+        """Gives the scene other blocks of a scene file, each whole and in place of its own: camera (whose size stays), material, passes,
+        render, shadow, simulation. Only what they touch is made anew: other parameters of the material's model take milliseconds. The
+        next `frame` is that of the changed scene; where blocks are refused, the scene stays as it was."""
+        known = _cuticle.changed_blocks()
+        for block in blocks:
+            if block not in known:
+                raise Error(f"'{block}' cannot change in a Renderer (try: {', '.join(known)}; else open another)", "usage")
+        if "camera" in blocks:
+            blocks["camera"] = {"resolution_px": list(self._frames.resolution()), **blocks["camera"]}
+        text, folder = document(blocks, self._folder)
+        self._frames.change(text, folder, list(blocks), self._progress)
+        self.plan = Plan(self._frames.plan())
 
     def strands(self) -> Groom:
         """The strands drawn in the frame last run."""

@@ -68,6 +68,34 @@ def test_Renderer_Frames_MoveAndItsStrandsAreRead():
     assert len(renderer.strands()) == 300 and renderer.device and "tiles" in [p.name for p in renderer.plan.passes]
 
 
+@pytest.mark.skipif(not HAS_VULKAN, reason="no Vulkan device")
+def test_Renderer_ChangedBlocks_AreThoseOfANewRenderer():
+    dark = {"model": {"marschner": {"sigma_a": 2}}}
+    shadow = {"method": {"deep_opacity": {"layers": 4}}, "fibre_alpha": 0.9}
+    renderer, before = cuticle.Renderer(SCENE, "tiles", device="cpu"), cuticle.render(SCENE, "tiles", device="cpu")
+    assert numpy.array_equal(renderer.frame(0), before)
+    scene = {**SCENE, "render": {"method": "tiles"}}
+    for blocks in ({"material": dark}, {"shadow": shadow}, {"camera": {**SCENE["camera"], "fov_deg": 20}}, {"render": {"method": "lines"}}):
+        renderer.change(**blocks)
+        scene.update(blocks)
+        now, new = renderer.frame(0), cuticle.render(scene, device="cpu")
+        assert numpy.array_equal(now, new) and not numpy.array_equal(now, before)
+        before = now
+    assert "lines" in [planned.name for planned in renderer.plan.passes]
+
+
+@pytest.mark.skipif(not HAS_VULKAN, reason="no Vulkan device")
+def test_Renderer_BlocksThatAreRefused_LeaveTheSceneAsItWas():
+    renderer = cuticle.Renderer(SCENE, "tiles", device="cpu")
+    before = renderer.frame(0)
+    for blocks, words in (({"lights": []}, ["lights", "material"]), ({"material": {"model": {"marschner": {"eta": 9}}}}, ["eta", "9"]),
+                          ({"camera": {**SCENE["camera"], "resolution_px": [32, 24]}}, ["resolution"])):
+        with pytest.raises(cuticle.Error) as error:
+            renderer.change(**blocks)
+        assert all(word in str(error.value) for word in words), str(error.value)
+    assert numpy.array_equal(renderer.frame(0), before)
+
+
 @pytest.mark.skipif(not HAS_EMBREE, reason="built without Embree")
 def test_Render_AGroomObject_IsTheScenesHair():
     wide = cuticle.make_groom([[[0.1 * x, 0.3, 0], [0.1 * x, -0.3, 0]] for x in range(-2, 3)], radii=0.01)
