@@ -42,14 +42,6 @@ std::vector<std::string> settings_of(const Method& method) {
   return sets;
 }
 
-strands::Groom along_the_light() {
-  strands::Groom groom;
-  for (int i = 0; i < 50; ++i) {
-    const float x = 0.001f * float(i);
-    tests::add_strand(groom, {{x, 0.1f, 0}, {x, 0.05f, 1e-6f}, {x, 0, 0}}, 0.001f);
-  }
-  return groom;
-}
 strands::Groom points() {
   const float radius = 5e-4f;
   return point_casters(tests::coat(300, 6, 0.03, 1e-4f, 9).positions, std::span(&radius, 1));
@@ -73,7 +65,7 @@ std::span<Scene> scenes() {
   static Scene all[] = {
       {"coat", tests::coat(1500, 8, 0.03, 1e-4f, 5), {{1, 1, 0.3}}, 0.4},
       {"opaque thick coat", tests::coat(200, 6, 0.03, 2e-3f, 6), {{-0.5, 0.3, 1}}, 1, glm::vec3(0.2f, 0.1f, 0.3f)},
-      {"along the light", along_the_light(), {{0, 1, 0}}, 0.4},
+      {"along the light", tests::along_the_light(), {{0, 1, 0}}, 0.4},
       {"points", points(), {{0, 0.1, -1}}, 0.4},
       {"point_light",
        tests::coat(1500, 8, 0.03, 1e-4f, 5),

@@ -24,6 +24,12 @@ glm::vec3 counted(const glm::vec3& velocity) {
   return {counted_speed(velocity.x), counted_speed(velocity.y), counted_speed(velocity.z)};
 }
 
+void turn_to(const glm::dmat3& rotation, GridFrame<float>& frame) {
+  frame.turn_x = glm::vec3(rotation[0]);
+  frame.turn_y = glm::vec3(rotation[1]);
+  frame.turn_z = glm::vec3(rotation[2]);
+}
+
 }  // namespace
 
 std::vector<float> rest_densities(const StrandGrid& grid, const strands::Groom& rest, double onset) {
@@ -46,9 +52,7 @@ std::vector<float> rest_densities(const StrandGrid& grid, const strands::Groom& 
 GridFrame<float> frame_constants(const StrandGrid& grid, const Settings& settings, const glm::dmat3& rotation,
                                  const glm::dvec3& translation, double duration) {
   GridFrame<float> frame;
-  frame.turn_x = glm::vec3(rotation[0]);
-  frame.turn_y = glm::vec3(rotation[1]);
-  frame.turn_z = glm::vec3(rotation[2]);
+  turn_to(rotation, frame);
   frame.per_fine = float(32 / grid.cell);
   frame.smoothing = float(-std::expm1(-settings.smoothing * duration));
   frame.duration = float(duration);
@@ -77,10 +81,11 @@ Result<std::unique_ptr<StrandInteraction>> StrandInteraction::create(const stran
 
 std::span<const glm::vec3> StrandInteraction::changes(std::span<const glm::dmat3> rotations, double duration) {
   sums_.deposit(places_, velocities_);
+  const GridFrame<float> of_first = frame_constants(grid_, settings_, rotations[0], glm::dvec3(0), duration);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, offsets_.size() - 1, 64), [&](const auto& strands) {
+    GridFrame<float> frame = of_first;
     for (std::size_t s = strands.begin(); s < strands.end(); ++s) {
-      const glm::dmat3& rotation = rotations[rotations.size() > 1 ? s : 0];
-      const GridFrame<float> frame = frame_constants(grid_, settings_, rotation, glm::dvec3(0), duration);
+      if (rotations.size() > 1) turn_to(rotations[s], frame);
       for (std::size_t i = offsets_[s]; i < offsets_[s + 1]; ++i) {
         const Spot& spot = sums_.spot(i);
         changes_[i] = spot.node == Spot::k_nowhere

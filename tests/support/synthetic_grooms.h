@@ -76,6 +76,16 @@ inline strands::Groom coat(int count, int vertices, double length, float radius,
   return groom;
 }
 
+/// Fifty strands along y, through any range of planes across it.
+inline strands::Groom along_the_light() {
+  strands::Groom groom;
+  for (int i = 0; i < 50; ++i) {
+    const float x = 0.001f * float(i);
+    add_strand(groom, {{x, 0.1f, 0}, {x, 0.05f, 1e-6f}, {x, 0, 0}}, 0.001f);
+  }
+  return groom;
+}
+
 /// Four layers of fibres along x, 1 mm apart, at 45 degrees to a light from above; 0.1 m on a side. `front`: points
 /// just before the first layer.
 inline strands::Groom slanted_sheet(std::vector<glm::vec3>& front) {

@@ -99,8 +99,10 @@ class ChainGpuSolver final : public GpuSolver {
                         .all_fields = std::uint32_t(colliders.field_count()),
                         .carries = parts[0].onto_skin,
                         .frame_time = float(input.duration)};
-    if (settings_.sleep) set_sleep(constants, input, steps, true);
-    CUTICLE_TRY(upload_reach(input));
+    if (settings_.sleep) {
+      set_sleep(constants, input, steps, true);
+      CUTICLE_TRY(upload_reach(input));
+    }
     CUTICLE_ASSIGN(const gpu::Kernel* kernel, skin_kernel_for(constants));
     if (clumping_ && parts[0].onto_skin) CUTICLE_TRY(refill(*device_, buffers_.rest, chains_.rest));
     if (clumping_ && !steps.empty())
