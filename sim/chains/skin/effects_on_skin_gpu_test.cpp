@@ -40,8 +40,8 @@ struct Both {
 Both both(const char* solver, const strands::Groom& groom, const std::string& settings, const EffectBlocks& effects) {
   return {make_solver(solver, groom, settings, effects), make_gpu(solver, groom, settings, effects)};
 }
-// A limp rod goes any way after a few frames, as do loose links that a fast clump pulls together lengthwise: with
-// rate=30 the CPU's float and double are 4e-3 m apart after four.
+// A limp rod goes any way after a few frames, as do loose links that a fast clump pulls together lengthwise: there the
+// CPU's own float and double part as well.
 std::string calm(std::string_view solver) { return solver == "rod" ? "sag_free=false,fibre_radius=3e-4" : ""; }
 std::string stiff(std::string_view solver) { return solver == "rod" ? calm(solver) : "damping=4,shape_stiffness=60"; }
 
