@@ -13,8 +13,7 @@
 namespace cuticle::bsdf {
 namespace {
 
-constexpr std::array<std::string_view, quantity_count> quantity_names = {"S",      "M",   "N",    "A",
-                                                                         "albedo", "pdf", "error"};
+constexpr std::array<std::string_view, quantity_count> quantity_names = {"S", "M", "N", "A", "albedo", "pdf", "error"};
 
 /// A refusal of a name that lists what there is and offers the nearest.
 Error unknown_name(std::string_view what, std::string_view name, std::span<const std::string_view> known) {
@@ -23,8 +22,8 @@ Error unknown_name(std::string_view what, std::string_view name, std::span<const
                      near.empty() ? std::string() : fmt::format("did you mean {}?", near));
 }
 
-/// A coordinate of Point: the quantities that are functions of it, in the far field and in the near field, and the largest
-/// magnitude that it may have.
+/// A coordinate of Point: the quantities that are functions of it, in the far field and in the near field, and the
+/// largest magnitude that it may have.
 struct Coordinate {
   std::string_view name;
   double Point::*member;
@@ -72,8 +71,7 @@ Result<void> check_query(const SampleQuery& query, std::size_t index) {
 
 Result<void> check_lobe(const Model& model, int lobe) {
   if (lobe >= -1 && lobe < int(model.lobes.size())) return {};
-  return usage_error(
-      fmt::format("lobe {} of {} is outside -1 .. {}", lobe, model.entry.name, model.lobes.size() - 1));
+  return usage_error(fmt::format("lobe {} of {} is outside -1 .. {}", lobe, model.entry.name, model.lobes.size() - 1));
 }
 
 Result<void> check_interval(const AzimuthInterval& interval, std::size_t index) {
@@ -164,6 +162,39 @@ Result<void> evaluate(const Model& model, const registry::ParameterValues& value
     run(values, {request.quantity, request.lobe, request.points.subspan(first, count)}, out.subspan(first, count));
   });
   return {};
+}
+
+namespace {
+
+bool shares_viewer(const Point& a, const Point& b) {
+  return a.theta_o == b.theta_o && a.phi_o == b.phi_o && a.h == b.h;
+}
+
+/// Where runs of points of one viewer begin, and the end of all.
+std::vector<std::size_t> runs_of_viewers(std::span<const Point> points) {
+  std::vector<std::size_t> begins;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (i == 0 || !shares_viewer(points[i - 1], points[i])) begins.push_back(i);
+  begins.push_back(points.size());
+  return begins;
+}
+
+}  // namespace
+
+Result<bool> scattering_from_viewers(const Model& model, const registry::ParameterValues& values, int effort, int lobe,
+                                     std::span<const Point> points, std::span<glm::dvec3> out) {
+  CUTICLE_EXPECT(effort >= 1, "some work is done");
+  if (!model.scattering_from_viewer) return false;
+  CUTICLE_TRY(check_request(model, {Quantity::S, lobe, points}, out.size()));
+  const std::vector<std::size_t> begins = runs_of_viewers(points);
+  in_parallel(begins.size() - 1, 1, [&](std::size_t first, std::size_t count) {
+    for (std::size_t run = first; run < first + count; ++run) {
+      const std::size_t size = begins[run + 1] - begins[run];
+      model.scattering_from_viewer(values, effort, lobe, points.subspan(begins[run], size),
+                                   out.subspan(begins[run], size));
+    }
+  });
+  return true;
 }
 
 Result<bool> azimuthal_means(const Model& model, const registry::ParameterValues& values, int lobe,

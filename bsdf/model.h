@@ -106,6 +106,10 @@ struct Model {
   /// such; null: never. Neighbours in the list that share an end are found faster.
   bool (*azimuthal_means)(const registry::ParameterValues&, int lobe, std::span<const AzimuthInterval>,
                           std::span<AzimuthMean> out) = nullptr;
+  /// S of a lobe (-1: of all) at points that share theta_o, phi_o and h, where one viewer's work serves all of its
+  /// lights, with `effort` times the paths of the values; null: a point is no cheaper beside others.
+  void (*scattering_from_viewer)(const registry::ParameterValues&, int effort, int lobe, std::span<const Point>,
+                                 std::span<glm::dvec3> out) = nullptr;
   /// Index of refraction of the smooth circular fibre whose caustic N of TRT has, infinite and at its place; 0: these
   /// values have none such; null: never.
   double (*caustic_index)(const registry::ParameterValues&) = nullptr;
@@ -138,6 +142,12 @@ Result<void> check_queries(std::span<const SampleQuery> queries, std::size_t roo
 /// Evaluates on the CPU (f32 or f64) with all threads; the same bits for any number of them. Errors: as check_request.
 Result<void> evaluate(const Model& model, const registry::ParameterValues& values, Precision precision,
                       const Request& request, std::span<glm::dvec3> out);
+
+/// S of a lobe (-1: of all) with all threads, by Model::scattering_from_viewer: points in a row that share the viewer
+/// (theta_o, phi_o, h) are made together. false where the model has none. `effort`: 1 or more, as there. Against
+/// `evaluate`: huang_lights_test. Errors: as check_request.
+Result<bool> scattering_from_viewers(const Model& model, const registry::ParameterValues& values, int effort, int lobe,
+                                     std::span<const Point> points, std::span<glm::dvec3> out);
 
 /// The model's own means of N (Model::azimuthal_means) in double with all threads; false where it has none for these
 /// values. Errors: usage for a lobe that the model lacks; bad_input, naming interval, value and range.

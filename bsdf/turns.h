@@ -13,7 +13,8 @@ inline constexpr registry::Parameter turns_parameter = {
     4096,
     "0",
     {},
-    "aspect other than 1: TRT is the mean over this many turns of the cross-section; 0: its one turn is phi_o's"};
+    "aspect other than 1: the mean over this many turns of the cross-section (of TRT with marschner); 0: its one turn is "
+    "phi_o's"};
 
 /// Whether phi_o changes what these values scatter: the model has an `aspect`, which is not 1, and no mean over turns
 /// is asked for.

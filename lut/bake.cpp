@@ -76,7 +76,14 @@ Source cpu_source(const bsdf::Model& model, const registry::ParameterValues& val
     return bsdf::azimuthal_means(model, values, lobe, intervals, out);
   };
   const double index = model.caustic_index ? model.caustic_index(values) : 0;
-  return {&model, evaluate, evaluate, average_fibre(model, values), means, index, scattering_at_many(model, values)};
+  return {&model,
+          evaluate,
+          evaluate,
+          average_fibre(model, values),
+          means,
+          index,
+          scattering_at_many(model, values),
+          scattering_to_measure_by(model, values)};
 }
 
 Table empty_table(const TableLayout& layout, int size) {
@@ -242,15 +249,18 @@ std::size_t points_to_bake(const Layout& layout, int size) {
 }
 
 Result<double> seconds_to_bake(const Source& source, const Layout& layout, int size) {
-  constexpr std::size_t k_few = 256;
-  std::vector<bsdf::Point> points(k_few);
-  for (std::size_t i = 0; i < k_few; ++i) points[i] = {.theta_i = 0.5, .theta_o = 0.3, .phi = 0.01 * double(i)};
-  std::vector<glm::dvec3> values(k_few);
+  // As a solver asks: several viewers, each with many azimuths.
+  constexpr std::size_t k_viewers = 8;
+  const bool solves = layout.points_of_mean > 0;
+  const std::size_t azimuths = solves ? std::size_t(layout.points_of_mean) * std::size_t(size) : 32;
+  std::vector<bsdf::Point> points(k_viewers * azimuths);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points[i] = {.theta_i = 0.5, .theta_o = 0.3 + 0.01 * double(i / azimuths), .phi = 0.01 * double(i % azimuths)};
+  std::vector<glm::dvec3> values(points.size());
   const auto start = std::chrono::steady_clock::now();
-  const Evaluate& evaluate = layout.points_of_mean > 0 ? source.many() : source.evaluate;
-  CUTICLE_TRY(evaluate({bsdf::Quantity::S, -1, points}, values));
+  CUTICLE_TRY((solves ? source.many() : source.evaluate)({bsdf::Quantity::S, -1, points}, values));
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-  return spent.count() / k_few * double(points_to_bake(layout, size));
+  return spent.count() / double(points.size()) * double(points_to_bake(layout, size));
 }
 
 Result<TableSet> bake_from(const Source& source, const registry::ParameterValues& values, const Layout& layout,

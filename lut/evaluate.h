@@ -29,10 +29,15 @@ struct Source {
   double caustic_index = 0;             ///< bsdf::Model::caustic_index
   /// S of all lobes for solvers that ask for millions of points (scattering_at_many); empty: `evaluate`.
   Evaluate at_many = {};
+  /// The same with far more work, by which what is made from `at_many` is measured; empty: `evaluate`. Points of one
+  /// viewer in a row are cheap.
+  Evaluate measured_by = {};
   const Evaluate& many() const { return at_many ? at_many : evaluate; }
 };
-/// For Source::at_many: by the model's batch where every point is an integral, else in double.
+/// For Source::at_many: a viewer's lights together where the model does that, by its batch where every point is an
+/// integral, else in double. For Source::measured_by: empty where one viewer's lights are not made together.
 Evaluate scattering_at_many(const bsdf::Model& model, const registry::ParameterValues& values);
+Evaluate scattering_to_measure_by(const bsdf::Model& model, const registry::ParameterValues& values);
 /// What a table of these values holds: no table has an axis for phi_o, so a flat fibre's is the mean over turns of its
 /// cross-section: over 128 where texels hold the model's own means over azimuths, else over 16, of dual scattering
 /// over 2. Test: lut_turns_test.

@@ -12,20 +12,25 @@ namespace cuticle::lut {
 namespace {
 
 constexpr int k_directions = 16384;
+constexpr int k_lights_of_viewer = 128;  ///< where a viewer's lights are cheap together
 
-/// Light and eye evenly over the sphere, by an additive sequence in three dimensions (its ratio solves x^4 = x + 1).
-std::vector<bsdf::Point> directions() {
+/// Light and eye evenly over the sphere, by an additive sequence in three dimensions (its ratio solves x^4 = x + 1),
+/// with one eye for as many lights in a row.
+std::vector<bsdf::Point> directions(int lights_of_viewer) {
   constexpr double ratio = 1.2207440846057596;
   std::vector<bsdf::Point> points(k_directions);
   for (int k = 0; k < k_directions; ++k) {
-    const auto part = [k](double step) { return std::fmod(0.5 + (k + 1) * step, 1.0); };
+    const auto part = [](int number, double step) { return std::fmod(0.5 + (number + 1) * step, 1.0); };
     bsdf::Point& at = points[std::size_t(k)];
-    at.theta_i = std::asin(2 * part(1 / ratio) - 1);
-    at.theta_o = std::asin(2 * part(1 / (ratio * ratio)) - 1);
+    at.theta_i = std::asin(2 * part(k, 1 / ratio) - 1);
+    at.theta_o = std::asin(2 * part(k / lights_of_viewer, 1 / (ratio * ratio)) - 1);
     at.theta_d = std::abs(at.theta_o - at.theta_i) / 2;
-    at.phi = part(1 / (ratio * ratio * ratio)) * std::numbers::pi;
+    at.phi = part(k, 1 / (ratio * ratio * ratio)) * std::numbers::pi;
   }
   return points;
+}
+std::vector<bsdf::Point> directions(const Source& source) {
+  return directions(source.measured_by ? k_lights_of_viewer : 1);
 }
 
 /// S of the model and of the two ways to put it together.
@@ -79,8 +84,9 @@ class TexelMeans {
  public:
   explicit TexelMeans(const TableSet& set)
       : width_(set.layout->points_of_mean > 0 ? std::numbers::pi / (set.size - 1) : 0) {}
-  /// S of the model: by adaptive quadrature, or at the direction itself.
+  /// S of the model: by adaptive quadrature, at as many azimuths as of the tables, or at the direction itself.
   Result<std::vector<glm::dvec3>> of_model(const Source& source, std::span<const bsdf::Point> points) const {
+    if (source.measured_by) return of_many(source.measured_by, points);
     if (width_ == 0) {
       std::vector<glm::dvec3> values(points.size());
       CUTICLE_TRY(source.evaluate({bsdf::Quantity::S, -1, points}, values));
@@ -103,18 +109,29 @@ class TexelMeans {
     return std::move(means.values);
   }
   glm::dvec3 of_tables(const ScatteringReader& reader, const bsdf::Point& at) const {
-    const int count = width_ > 0 ? 8 : 1;
     glm::dvec3 sum(0);
-    for (int k = 0; k < count; ++k) {
-      bsdf::Point turned = at;
-      turned.phi = std::abs(at.phi + ((k + 0.5) / count - 0.5) * width_);
-      if (turned.phi > std::numbers::pi) turned.phi = 2 * std::numbers::pi - turned.phi;
-      for (int colour = 0; colour < 3; ++colour) sum[colour] += reader.scattering(turned, colour) / count;
-    }
+    for (int k = 0; k < count(); ++k)
+      for (int colour = 0; colour < 3; ++colour) sum[colour] += reader.scattering(turned(at, k), colour) / count();
     return sum;
   }
 
  private:
+  int count() const { return width_ > 0 ? 8 : 1; }
+  bsdf::Point turned(bsdf::Point at, int k) const {
+    at.phi = std::abs(at.phi + ((k + 0.5) / count() - 0.5) * width_);
+    if (at.phi > std::numbers::pi) at.phi = 2 * std::numbers::pi - at.phi;
+    return at;
+  }
+  Result<std::vector<glm::dvec3>> of_many(const Evaluate& evaluate, std::span<const bsdf::Point> points) const {
+    std::vector<bsdf::Point> all;
+    for (const bsdf::Point& at : points)
+      for (int k = 0; k < count(); ++k) all.push_back(turned(at, k));
+    std::vector<glm::dvec3> values(all.size()), means(points.size(), glm::dvec3(0));
+    CUTICLE_TRY(evaluate({bsdf::Quantity::S, -1, all}, values));
+    for (std::size_t i = 0; i < all.size(); ++i) means[i / std::size_t(count())] += values[i] / double(count());
+    return means;
+  }
+
   double width_;
 };
 
@@ -145,7 +162,7 @@ std::vector<ChannelError> compare(const std::vector<glm::dvec3>& made, const std
 
 Result<void> certify_scattering(const Source& source, TableSet& set) {
   if (set.layout->terms.empty()) return {};
-  std::vector<bsdf::Point> points = directions();
+  std::vector<bsdf::Point> points = directions(source);
   std::erase_if(points,
                 [reader = ScatteringReader(set)](const bsdf::Point& at) { return reader.filters_singular(at); });
   CUTICLE_ASSIGN(const Scattering scattering, scattering_at(source, set, points));
@@ -156,7 +173,7 @@ Result<void> certify_scattering(const Source& source, TableSet& set) {
 
 Result<double> assumption_error(const Source& source, const Layout& layout) {
   constexpr std::size_t k_few = 16, k_many = 512;
-  std::vector<bsdf::Point> points = directions();
+  std::vector<bsdf::Point> points = directions(1);
   points.resize(source.model->loop_rounds ? k_few : k_many);
   TableSet set;
   set.layout = &layout;

@@ -4,8 +4,10 @@
 #include <fmt/core.h>
 
 #include "bsdf/huang/huang.glslh"
+#include "bsdf/huang/many_lights.h"
 #include "bsdf/shared/batch.h"
 #include "bsdf/shared/fibre_table.h"
+#include "bsdf/turns.h"
 #include "core/registry/members.h"
 
 namespace cuticle::bsdf::huang {
@@ -26,6 +28,7 @@ struct Parameters {
   Field field = Field::far;
   std::int64_t samples = 512;
   Facets facets = Facets::multiple;
+  std::int64_t turns = 0;
 };
 void describe(registry::Members& members, Parameters& p) {
   members(p.eta, eta_parameter);
@@ -42,6 +45,7 @@ void describe(registry::Members& members, Parameters& p) {
       p.facets, "facets", facets,
       "multiple: light goes on from facet to facet and through any number of crossings; single: what a second facet "
       "would stop is lost, and paths after TRT (the lobe residual is 0)");
+  members(p.turns, turns_parameter);
 }
 
 constexpr std::array<registry::StudyCase, 4> tiers = {{
@@ -65,7 +69,8 @@ Huang<double> prepare(const Parameters& p) {
           p.sigma_a,
           p.field == Field::near ? 1.0 : 0.0,
           double(p.samples),
-          p.facets == Facets::multiple ? 1.0 : 0.0};
+          p.facets == Facets::multiple ? 1.0 : 0.0,
+          p.aspect == 1 ? 0.0 : double(p.turns)};
 }
 
 /// A deviation of theta_i is that of twice the facets' slope, which for the Gaussian slopes of the same alpha is
@@ -82,13 +87,22 @@ FibreMapping map_fibre(const Fibre& fibre) {
               roughness)};
 }
 
-/// Paths, times the rounds that one takes where light turns often. Measured on software Vulkan: S is right with 1,024
-/// paths and wrong with 2,048.
+/// Paths, times the rounds that one takes where light turns often, and turns of R at each node of its rules. Measured
+/// on software Vulkan: S is right with 1,024 paths and wrong with 2,048.
 std::uint64_t loop_rounds(const registry::ParameterValues& values, Quantity quantity) {
   const Parameters p = registry::from_values<Parameters>(values);
-  if (p.facets != Facets::multiple || quantity == Quantity::pdf) return 0;
+  if (quantity == Quantity::pdf) return 0;
   const bool is_sum_of_paths = quantity == Quantity::S || quantity == Quantity::error;
-  return 48 * std::uint64_t(is_sum_of_paths ? p.samples : CUTICLE_HUANG_PATHS_OF_MEANS);
+  const std::uint64_t turns = is_sum_of_paths ? 72 * std::uint64_t(p.turns) : 0;
+  if (p.facets != Facets::multiple) return turns;
+  return turns + 48 * std::uint64_t(is_sum_of_paths ? p.samples : CUTICLE_HUANG_PATHS_OF_MEANS);
+}
+
+void from_viewer(const registry::ParameterValues& values, int effort, int lobe, std::span<const Point> points,
+                 std::span<glm::dvec3> out) {
+  Huang<double> fibre = prepare(registry::from_values<Parameters>(values));
+  fibre.samples *= effort;
+  scattering_from_viewer(fibre, lobe, points, out);
 }
 
 Model table() {
@@ -110,7 +124,8 @@ Model table() {
       .near_field = is_near,
       .from_fibre = map_fibre,
       .measurable = measurable,
-      .loop_rounds = loop_rounds};
+      .loop_rounds = loop_rounds,
+      .scattering_from_viewer = from_viewer};
 }
 
 }  // namespace

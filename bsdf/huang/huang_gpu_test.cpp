@@ -47,7 +47,8 @@ std::vector<Point> spread_points(int count) {
 
 TEST(HuangGpu, Scattering_AgreesWithDoubleWithinItsError) {
   const std::vector<Point> points = spread_points(128);
-  for (const char* settings : {"roughness=0.4,samples=64", "roughness=0.2,samples=64,aspect=0.6,field=near"})
+  for (const char* settings : {"roughness=0.4,samples=64", "roughness=0.2,samples=64,aspect=0.6,field=near",
+                               "roughness=0.4,samples=64,aspect=0.6,turns=6"})
     for (int lobe = 0; lobe < 3; ++lobe) {
       const auto truth = on_cpu(settings, Quantity::S, lobe, points),
                  error = on_cpu(settings, Quantity::error, lobe, points);

@@ -3,9 +3,9 @@ import json
 
 from repository import BUILD, ROOT
 
-MAY_FUSE = ("bsdf/batch/kernel.cpp", "sim/exact/kernel.cpp", "sim/rod/kernel.cpp")
+MAY_FUSE = ("bsdf/batch/kernel.cpp", "bsdf/huang/facet_kernel.cpp", "sim/exact/kernel.cpp", "sim/rod/kernel.cpp")
 # Kernels that are given neither NaN nor infinity (bsdf/batch/README.md).
-MAY_ASSUME_FINITE = {"bsdf/batch/kernel.cpp": {"-ffinite-math-only", "-fno-signed-zeros"}}
+MAY_ASSUME_FINITE = dict.fromkeys(("bsdf/batch/kernel.cpp", "bsdf/huang/facet_kernel.cpp"), {"-ffinite-math-only", "-fno-signed-zeros"})
 CHANGES_RESULTS = {"-ffast-math", "-Ofast", "-funsafe-math-optimizations", "-ffinite-math-only", "-fassociative-math", "-freciprocal-math",
                    "-fno-signed-zeros"}
 

@@ -37,6 +37,9 @@ void blend(std::span<double> row) {
   }
 }
 
+/// Times the paths of a model that walks: rows have paths of their own, and a surface shows their noise.
+constexpr int k_effort = 32;
+
 /// S at the light's inclination; an interval's inclination is theta_o.
 lut::Source source_of(const ShownModel& shown, const LobeSettings& settings) {
   const lut::Evaluate evaluate = [&shown, &settings](const bsdf::Request& request, std::span<glm::dvec3> out) {
@@ -80,7 +83,10 @@ Result<std::vector<double>> point_values(const ShownModel& shown, const LobeSett
       points.push_back(
           {.theta_i = settings.theta_i, .theta_o = grid.theta_o(row), .phi = grid.phi(column), .h = settings.h});
   std::vector<glm::dvec3> colors(points.size());
-  CUTICLE_TRY(bsdf::evaluate(*shown.model, shown.values, precision, {bsdf::Quantity::S, lobe, points}, colors));
+  CUTICLE_ASSIGN(const bool together,
+                 bsdf::scattering_from_viewers(*shown.model, shown.values, k_effort, lobe, points, colors));
+  if (!together)
+    CUTICLE_TRY(bsdf::evaluate(*shown.model, shown.values, precision, {bsdf::Quantity::S, lobe, points}, colors));
   std::vector<double> values;
   std::transform(colors.begin(), colors.end(), std::back_inserter(values), mean);
   return values;

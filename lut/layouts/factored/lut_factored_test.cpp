@@ -60,6 +60,13 @@ TEST(Factored, ModelsWithoutMAndN_AreWithinTheirMeasuredErrors) {
   EXPECT_LT(relative_rms(certified("kajiya_kay", "", 32)), 0.03);
 }
 
+/// A model of walks is asked for a viewer's lights together; what its few paths leave is part of the error.
+TEST(Factored, Huang_IsWithinItsMeasuredError) {
+  const double error = relative_rms(certified("huang", "sigma_a=0.1/0.2/0.4,samples=128", 32));
+  std::printf("huang: %.3f\n", error);
+  EXPECT_LT(error, 0.1);
+}
+
 /// A model of which every point is an integral is asked in batches of float.
 TEST(Factored, SliceOfAnIntegral_IsTheModelInDouble) {
   const bsdf::Model& model = *bsdf::find_model("yan_fur").value();
