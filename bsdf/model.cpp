@@ -170,11 +170,13 @@ bool shares_viewer(const Point& a, const Point& b) {
   return a.theta_o == b.theta_o && a.phi_o == b.phi_o && a.h == b.h;
 }
 
-/// Where runs of points of one viewer begin, and the end of all.
+/// Where runs of points of one viewer begin, and the end of all. Long ones are divided among threads, each of which
+/// does the viewer's work anew.
 std::vector<std::size_t> runs_of_viewers(std::span<const Point> points) {
+  constexpr std::size_t longest = 512;
   std::vector<std::size_t> begins;
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (i == 0 || !shares_viewer(points[i - 1], points[i])) begins.push_back(i);
+    if (i == 0 || i - begins.back() == longest || !shares_viewer(points[i - 1], points[i])) begins.push_back(i);
   begins.push_back(points.size());
   return begins;
 }

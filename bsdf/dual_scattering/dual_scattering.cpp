@@ -21,6 +21,7 @@ using glm::dvec3;
 using std::numbers::pi;
 constexpr int first_panels = 16, deepest = 9, nodes_in_theta = 15;
 constexpr double tolerance = 1e-5;
+constexpr int effort = 2;  ///< times the paths of a model that walks
 
 /// Sums over one half of the azimuths of S cos(theta_i), and of it times theta_i + theta_o and its square.
 struct HalfMoments {
@@ -73,12 +74,16 @@ class Integrand {
         theta_o_(theta_o),
         directions_(quadrature_directions(model.near_field && model.near_field(values))) {}
 
+  /// Halving panels does not make the noise of walks smaller.
+  bool halves() const { return model_.scattering_from_viewer == nullptr; }
+
   /// Moments over a panel of theta_i by 15 points, and the difference of its two shares by 7 of them.
   Result<std::pair<Moments, dvec3>> panel(double low, double high) const {
     std::vector<Point> points;
     for (int k = 0; k < nodes_in_theta; ++k) append(points, theta_at(low, high, k));
     std::vector<dvec3> values(points.size());
-    CUTICLE_TRY(evaluate(model_, values_, Precision::f64, {Quantity::S, -1, points}, values));
+    CUTICLE_ASSIGN(const bool together, scattering_from_viewers(model_, values_, effort, -1, points, values));
+    if (!together) CUTICLE_TRY(evaluate(model_, values_, Precision::f64, {Quantity::S, -1, points}, values));
     return summed(points, values, low, high);
   }
 
@@ -124,7 +129,7 @@ struct Total {
 Result<Total> adaptive(const Integrand& integrand, double low, double high, int depth) {
   Total total;
   CUTICLE_ASSIGN(auto panel, integrand.panel(low, high));
-  if (largest(panel.second) <= tolerance * (high - low) / pi || depth >= deepest)
+  if (largest(panel.second) <= tolerance * (high - low) / pi || depth >= deepest || !integrand.halves())
     return Total{panel.first, panel.second};
   CUTICLE_ASSIGN(Total left, adaptive(integrand, low, (low + high) / 2, depth + 1));
   CUTICLE_ASSIGN(Total right, adaptive(integrand, (low + high) / 2, high, depth + 1));

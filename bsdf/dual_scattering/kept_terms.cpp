@@ -15,13 +15,14 @@ struct Known {
   DualScatteringTable table;
 };
 
-/// `chiang` alone has a far field of a part of the width.
-registry::ParameterValues of_near_field(const Model& model, registry::ParameterValues values) {
+/// `chiang` alone has a far field of a part of the width; walks of a far field choose their offsets.
+registry::ParameterValues of_quick_field(const Model& model, registry::ParameterValues values) {
   if (model.entry.name == "chiang") {
     const auto fibre = registry::from_values<chiang::Parameters>(values);
     if (fibre.h_from != -1 || fibre.h_to != 1) return values;
   }
-  if (values.all().contains("field")) values.set("field", std::string("near"));
+  if (values.all().contains("field"))
+    values.set("field", std::string(model.scattering_from_viewer != nullptr ? "far" : "near"));
   return values;
 }
 
@@ -31,7 +32,7 @@ Result<DualScatteringTable> kept_dual_scattering_terms(const Model& model, const
   constexpr std::size_t k_most = 8;
   static std::mutex guard;
   static std::deque<Known> known;
-  const registry::ParameterValues values = of_near_field(model, given);
+  const registry::ParameterValues values = of_quick_field(model, given);
   const std::lock_guard lock(guard);
   for (const Known& one : known)
     if (one.model == &model && one.values == values) return one.table;

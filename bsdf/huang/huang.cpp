@@ -93,15 +93,18 @@ std::uint64_t loop_rounds(const registry::ParameterValues& values, Quantity quan
   const Parameters p = registry::from_values<Parameters>(values);
   if (quantity == Quantity::pdf) return 0;
   const bool is_sum_of_paths = quantity == Quantity::S || quantity == Quantity::error;
-  const std::uint64_t turns = is_sum_of_paths ? 72 * std::uint64_t(p.turns) : 0;
+  const std::uint64_t turns = is_sum_of_paths ? 72 * std::uint64_t(prepare(p).turns) : 0;
   if (p.facets != Facets::multiple) return turns;
   return turns + 48 * std::uint64_t(is_sum_of_paths ? p.samples : CUTICLE_HUANG_PATHS_OF_MEANS);
 }
 
+/// The facets of so many paths take 40 MB; more effort than that is worth little.
+constexpr double k_most_paths = 131072;
+
 void from_viewer(const registry::ParameterValues& values, int effort, int lobe, std::span<const Point> points,
                  std::span<glm::dvec3> out) {
   Huang<double> fibre = prepare(registry::from_values<Parameters>(values));
-  fibre.samples *= effort;
+  fibre.samples = std::min(fibre.samples * effort, k_most_paths);
   scattering_from_viewer(fibre, lobe, points, out);
 }
 
