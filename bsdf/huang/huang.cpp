@@ -98,7 +98,7 @@ std::uint64_t loop_rounds(const registry::ParameterValues& values, Quantity quan
   return turns + 48 * std::uint64_t(is_sum_of_paths ? p.samples : CUTICLE_HUANG_PATHS_OF_MEANS);
 }
 
-/// The facets of so many paths take 40 MB; more effort than that is worth little.
+/// However much effort is asked for: the facets of a viewer's paths are kept until all of its lights are made.
 constexpr double k_most_paths = 131072;
 
 void from_viewer(const registry::ParameterValues& values, int effort, int lobe, std::span<const Point> points,

@@ -1,4 +1,5 @@
-// S of one viewer and many lights at once, against S light by light.
+// S of one viewer and many lights at once, against S light by light; the mean over turns of a flat cross-section, which
+// takes many lights, against the mean over viewers.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -19,14 +20,14 @@ registry::ParameterValues values_of(const std::string& settings, int samples) {
 }
 
 /// Lights evenly over the sphere.
-std::vector<Point> lights_of(double theta_o, double h, int count) {
+std::vector<Point> lights_of(double theta_o, double h, int count, double phi_o = 0.4) {
   std::vector<Point> points;
   for (int i = 0; i < count; ++i) {
     Point& at = points.emplace_back();
     at.theta_i = std::asin(2 * (i + 0.5) / count - 1);
     at.theta_o = theta_o;
     at.phi = std::remainder(i * 2.399963229728653, 6.283185307179586);
-    at.phi_o = 0.4;
+    at.phi_o = phi_o;
     at.h = h;
   }
   return points;
@@ -103,6 +104,44 @@ TEST(HuangLights, AmongOtherViewers_AreTheSameBits) {
   for (const glm::dvec3& value : many(values, 1, second)) apart.push_back(value);
   EXPECT_EQ(many(values, 1, both), apart);
   EXPECT_EQ(many(values, 1, {first[69]}).front(), apart[69]);
+}
+
+std::vector<glm::dvec3> mean_over_viewers(const registry::ParameterValues& values, int lobe, int viewers) {
+  std::vector<glm::dvec3> mean(96, glm::dvec3(0));
+  for (int k = 0; k < viewers; ++k) {
+    const double phi_o = 6.283185307179586 * (k + 0.5) / viewers;
+    const std::vector<glm::dvec3> seen = many(values, 1, lights_of(-0.3, 0.4, 96, phi_o), lobe);
+    for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += seen[i] / double(viewers);
+  }
+  return mean;
+}
+
+TEST(HuangTurns, OfR_AreTheMeanOverViewers) {
+  const std::string single = "facets=single,aspect=0.6,roughness=0.2";
+  for (const std::string& settings : {single, single + ",field=near"}) {
+    const auto made = many(values_of(settings + ",turns=12", 64), 1, lights_of(-0.3, 0.4, 96), 0);
+    EXPECT_LT(between(made, mean_over_viewers(values_of(settings, 64), 0, 24)).rms, 1e-4) << settings;
+  }
+}
+
+TEST(HuangTurns, OfAllLobes_AreTheMeanOverViewers) {
+  const std::string flat = "sigma_a=0.1/0.3/0.8,aspect=0.6,roughness=0.3";
+  const std::vector<Point> points = lights_of(-0.3, 0.4, 96);
+  const auto made = many(values_of(flat + ",turns=12", 16384), 1, points);
+  const Difference together = between(made, mean_over_viewers(values_of(flat, 1024), -1, 24));
+  const Difference apart = between(one_by_one(values_of(flat + ",turns=12", 4096), points), made);
+  std::printf("over viewers: rms %.4f, sum %.4f; one by one: rms %.4f, sum %.4f\n", together.rms, together.sum,
+              apart.rms, apart.sum);
+  EXPECT_LT(together.rms, 0.03);
+  EXPECT_LT(std::abs(together.sum), 0.008);
+  EXPECT_LT(apart.rms, 0.04);
+  EXPECT_LT(std::abs(apart.sum), 0.01);
+}
+
+TEST(HuangTurns, KnowNoViewersAzimuth) {
+  const auto values = values_of("aspect=0.6,turns=6", 256);
+  EXPECT_LT(between(many(values, 1, lights_of(-0.3, 0, 20, 1.3)), many(values, 1, lights_of(-0.3, 0, 20, 0))).rms,
+            1e-9);
 }
 
 double seconds_of(auto&& run) {
