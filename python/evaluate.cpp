@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <nanobind/stl/array.h>
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
@@ -16,6 +17,7 @@
 #include "bsdf/listing/listing.h"
 #include "bsdf/model.h"
 #include "bsdf/pigment/pigment.h"
+#include "bsdf/together.h"
 #include "core/memory_limit.h"
 #include "study/conformance/conformance.h"
 
@@ -180,10 +182,21 @@ std::vector<std::string> needed(const std::string& model_name, const std::string
   return result;
 }
 
+/// All points at once, those of one viewer together.
+Result<void> evaluate_viewers(const bsdf::Model& model, const registry::ParameterValues& values, int effort,
+                              const bsdf::Request& what, const PointReader& points, Unset& out) {
+  std::vector<bsdf::Point> read;
+  CUTICLE_TRY(points.read(0, points.count(), read));
+  return interruptible([&] {
+    return bsdf::evaluate_together(model, values, effort, {what.quantity, what.lobe, read},
+                                   out.span(0, points.count()));
+  });
+}
+
 OutputArray evaluate(const std::string& model_name, const std::string& quantity_name, const std::string& lobe_name,
                      const std::string& preset, const std::string& settings, const std::string& hair,
                      const std::vector<Numbers>& coordinates, const std::string& precision_name,
-                     const nb::object& call) {
+                     std::optional<int> together, const nb::object& call) {
   const bsdf::Model* model = value_or_raise(bsdf::find_model(model_name));
   const registry::ParameterValues values = find_values(*model, preset, settings, hair);
   const bsdf::Quantity quantity = value_or_raise(bsdf::find_quantity(quantity_name));
@@ -194,7 +207,9 @@ OutputArray evaluate(const std::string& model_name, const std::string& quantity_
   const PointReader points(coordinates, shape);
   Unset out(points.count());
   CalledProgress progress(call);
-  require(evaluate_in_parts(*model, values, precision, {quantity, lobe, {}}, points, out, progress));
+  const bsdf::Request what{quantity, lobe, {}};
+  require(together ? evaluate_viewers(*model, values, *together, what, points, out)
+                   : evaluate_in_parts(*model, values, precision, what, points, out, progress));
   shape.push_back(3);
   double* flat = out.values.release();
   const nb::capsule owner(flat, [](void* memory) noexcept { delete[] static_cast<double*>(memory); });
@@ -249,7 +264,7 @@ std::string conformance(const std::string& name) {
 void add_evaluate(nb::module_& module) {
   module.def("conformance", &conformance);
   module.def("evaluate", &evaluate, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(),
-             nb::arg(), nb::arg().none());
+             nb::arg(), nb::arg().none(), nb::arg().none());
   module.def("needed", &needed);
   module.def("absorption_of_pigments", &absorption_of_pigments);
   module.def("absorption_of_assembly", &absorption_of_assembly);

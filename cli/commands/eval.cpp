@@ -1,9 +1,11 @@
 #include <array>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "bsdf/model.h"
+#include "bsdf/together.h"
 #include "cli/command.h"
 #include "cli/eval/coordinates.h"
 #include "cli/eval/subjects.h"
@@ -20,6 +22,7 @@ struct EvalOptions {
   SubjectRequest subjects;
   CoordinateRequest coordinates;
   std::string lobes = "sum", precision = "f64", out;
+  std::optional<int> together;  ///< times the model's paths
 };
 
 /// The values of one model and lobe at all points.
@@ -31,6 +34,7 @@ struct EvalSeries {
 
 Result<void> evaluate_on(const EvalOptions& options, const Context& context, const Subject& subject,
                          const bsdf::Request& request, std::span<glm::dvec3> out) {
+  if (options.together) return bsdf::evaluate_together(*subject.model, subject.values, *options.together, request, out);
   if (options.precision != "gpu")
     return bsdf::evaluate(*subject.model, subject.values,
                           options.precision == "f32" ? bsdf::Precision::f32 : bsdf::Precision::f64, request, out);
@@ -173,9 +177,13 @@ void add_eval(CLI::App& app, Context& context) {
       ->capture_default_str();
   command->add_option("--lobe", options->lobes, "lobes of the model, or sum: R,TT,TRT,sum")->capture_default_str();
   add_coordinate_options(*command, options->coordinates);
-  command->add_option("--precision", options->precision, "f32, f64 or gpu")
-      ->check(CLI::IsMember({"f32", "f64", "gpu"}))
-      ->capture_default_str();
+  CLI::Option* precision = command->add_option("--precision", options->precision, "f32, f64 or gpu")
+                               ->check(CLI::IsMember({"f32", "f64", "gpu"}))
+                               ->capture_default_str();
+  command
+      ->add_option("--together", options->together,
+                   "S of huang: the lights of each viewer together, by this many times its paths; many times faster")
+      ->excludes(precision);
   command->add_option("--out", options->out, "write to this file instead of stdout");
   command->callback([&context, options] { context.action = [&context, options] { return eval(*options, context); }; });
 }

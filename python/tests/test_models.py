@@ -119,6 +119,21 @@ def test_Eval_InFloat_IsTheFormulasInDouble(model, quantity):
     assert cuticle.eval(model, quantity, precision="f32", **points) == pytest.approx(exact, rel=2e-3, abs=2e-3 * exact.max())
 
 
+def test_Eval_LightsTogether_AreThoseOneByOne():
+    points = {"theta_i_deg": numpy.linspace(-80, 80, 60), "theta_o_deg": numpy.array([[20.0], [-40.0]]), "phi_deg": numpy.linspace(5, 175, 60)}
+    together = cuticle.eval("huang", "S", set={"roughness": 0.4, "samples": 1024}, together=8, **points)
+    apart = cuticle.eval("huang", "S", set={"roughness": 0.4, "samples": 2048}, **points)
+    assert together.shape == apart.shape and together.sum() == pytest.approx(apart.sum(), rel=0.02)
+    assert numpy.array_equal(together[1, 7], cuticle.eval("huang", "S", set={"roughness": 0.4, "samples": 1024}, together=8, theta_o_deg=-40,
+                                                          theta_i_deg=points["theta_i_deg"][7], phi_deg=points["phi_deg"][7]))
+
+
+@pytest.mark.parametrize("model,quantity,together,words", [("karis", "S", 1, "karis.*huang"), ("huang", "M", 1, "only S"), ("huang", "S", 0, "1 .. 256")])
+def test_Eval_LightsTogetherWhereTheyAreNot_SaysWhy(model, quantity, together, words):
+    with pytest.raises(cuticle.Error, match=words):
+        cuticle.eval(model, quantity, theta_i_deg=0, theta_o_deg=0, phi_deg=0, together=together)
+
+
 def test_Eval_InFloatOutOfRange_SaysWhat():
     with pytest.raises(cuticle.Error, match="theta_o_deg: 91"):
         cuticle.eval("karis", "S", theta_i_deg=numpy.zeros(3), theta_o_deg=[0, 91, 0], phi_deg=0, precision="f32")
