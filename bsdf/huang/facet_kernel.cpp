@@ -1,11 +1,8 @@
-// The light of facets toward many directions, compiled once for each instruction set (CMakeLists.txt): the loop over
-// directions is one block of arithmetic.
+// The light of facets toward many directions, compiled once for each instruction set (CMakeLists.txt, which gives it
+// the name CUTICLE_ADD_FACETS): the loop over directions is one block of arithmetic.
 #include "bsdf/huang/facets_met.h"
 #include "bsdf/huang/meeting.glslh"
 #include "core/flush_to_zero.h"
-
-#define CUTICLE_JOIN_NAMES(a, b) a##b
-#define CUTICLE_JOIN(a, b) CUTICLE_JOIN_NAMES(a, b)
 
 namespace cuticle::bsdf::huang {
 namespace {
@@ -49,7 +46,7 @@ void add_facets(const float* numbers, const FacetsMet& met, int count, const Lig
 
 }  // namespace
 
-extern const AddFacets CUTICLE_JOIN(add_facets_, CUTICLE_BATCH_SET);
-const AddFacets CUTICLE_JOIN(add_facets_, CUTICLE_BATCH_SET) = add_facets;
+extern const AddFacets CUTICLE_ADD_FACETS;
+const AddFacets CUTICLE_ADD_FACETS = add_facets;
 
 }  // namespace cuticle::bsdf::huang

@@ -80,6 +80,18 @@ TEST(HuangLights, OfOneViewer_AreThoseOneByOne) {
   }
 }
 
+/// All that a clear fibre scatters is the light that arrives, round or over turns of an ellipse.
+TEST(HuangLights, OfAClearFibre_AddUpToTheLightThatArrives) {
+  for (const char* settings : {"sigma_a=0,roughness=0.3", "sigma_a=0,roughness=0.3,aspect=0.6,turns=12"}) {
+    const std::vector<Point> points = lights_of(0.3, 0, 4000);
+    double sum = 0;
+    for (const glm::dvec3& value : many(values_of(settings, 1024), 2, points))
+      sum += value.x * 4 * 3.141592653589793 / double(points.size());
+    std::printf("%s: %.4f\n", settings, sum);
+    EXPECT_NEAR(sum, 1, 0.01) << settings;
+  }
+}
+
 TEST(HuangLights, OfEachLobe_AddUpAndAreThoseOneByOne) {
   const auto values = values_of("roughness=0.3", 2048);
   const std::vector<Point> points = lights_of(0.4, 0, 60);

@@ -30,8 +30,7 @@ double value_at(const std::string& settings, Quantity quantity, std::string_view
 TEST(Huang, MirroredLobe_AgreesWithMpmath) {
   double worst_far = 0, worst_near = 0;
   for (const tests::CsvRow& row : tests::read_csv(CUTICLE_SOURCE_DIR "/bsdf/huang/reference/mirrored.csv")) {
-    const std::string settings =
-        fmt::format("facets=single,roughness={},tilt={},aspect={}", row.text("roughness"),
+    const std::string settings = fmt::format("facets=single,roughness={},tilt={},aspect={}", row.text("roughness"),
                                              row.text("tilt"), row.text("aspect"));
     const Point point{.theta_i = row.number("theta_i"),
                       .theta_o = row.number("theta_o"),
@@ -104,8 +103,8 @@ TEST(Huang, Albedo_IsTheIntegralOfS) {
 TEST(Huang, SingleFacetsWithoutAbsorption_ScatterLessThanTheyGet) {
   for (double roughness : {0.001, 0.05, 0.3, 1.0})
     for (double theta : {-89.9, -60.0, 0.0, 45.0, 89.9}) {
-      const double albedo = value_at(fmt::format("facets=single,sigma_a=0,roughness={}", roughness), Quantity::albedo, "sum",
-                                     {.theta_o = theta * degree});
+      const double albedo = value_at(fmt::format("facets=single,sigma_a=0,roughness={}", roughness), Quantity::albedo,
+                                     "sum", {.theta_o = theta * degree});
       EXPECT_LT(albedo, 1.001) << roughness << " " << theta;
       if (roughness < 0.01 && theta == 0) {
         EXPECT_GT(albedo, 0.98);
@@ -150,9 +149,8 @@ std::vector<Point> lit_points(const std::string& settings, int count) {
 
 TEST(Huang, ReportedError_BoundsTheDifferenceFromManyPaths) {
   int within = 0, all = 0;
-  for (const char* settings :
-       {"facets=single,roughness=0.5", "facets=single,roughness=0.2,aspect=0.6", "facets=single,roughness=0.05",
-        "facets=single,roughness=0.2,field=near"}) {
+  for (const char* settings : {"facets=single,roughness=0.5", "facets=single,roughness=0.2,aspect=0.6",
+                               "facets=single,roughness=0.05", "facets=single,roughness=0.2,field=near"}) {
     const std::vector<Point> points = lit_points(std::string(settings) + ",samples=64", 40);
     for (int lobe = 1; lobe < 3; ++lobe) {
       const std::string few = std::string(settings) + ",samples=256", many = std::string(settings) + ",samples=8192";
@@ -173,8 +171,7 @@ TEST(Huang, ReportedErrorOfAllLobes_BoundsTheDifferenceFromManyPaths) {
   for (const char* settings : {"roughness=0.4", "roughness=0.05,aspect=0.6", "roughness=0.2,field=near"}) {
     const std::vector<Point> points = lit_points(std::string(settings) + ",samples=64", 50);
     const std::string few = std::string(settings) + ",samples=256", many = std::string(settings) + ",samples=4096";
-    const auto value = evaluate_at(few, Quantity::S, -1, points),
-               error = evaluate_at(few, Quantity::error, -1, points);
+    const auto value = evaluate_at(few, Quantity::S, -1, points), error = evaluate_at(few, Quantity::error, -1, points);
     const auto truth = evaluate_at(many, Quantity::S, -1, points);
     for (std::size_t k = 0; k < points.size(); ++k) {
       within += std::abs(value[k].x - truth[k].x) <= error[k].x;

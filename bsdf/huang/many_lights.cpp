@@ -88,7 +88,8 @@ struct Block {
 
 glm::dvec3 mirrored(const Huang<double>& m, const View<double>& view, const View<double>& lit, const Point& at) {
   if (m.near_field > 0.5) return mirrored_near(m, view, lit, at.h).value;
-  return mirrored_far(m, view, lit, -wrapped(at.phi)).value;
+  const MirroredSpan<double> span = mirrored_span(m, view, lit, -wrapped(at.phi));
+  return glm::dvec3(mirrored_far_by(m, view, lit.direction, span, CUTICLE_HUANG_NODES));
 }
 
 }  // namespace
@@ -100,6 +101,7 @@ void scattering_from_viewer(const Huang<double>& m, int lobe, std::span<const Po
   const View<double> view = view_from(m, first.theta_o, first.phi_o);
   const std::vector<FacetMet> met = facets_from(m, view, lobe, first.h);
   const auto numbers = numbers_of<float>(m);
+  const AddFacets add_facets = best_kernel();
   for (std::size_t begin = 0; begin < points.size(); begin += k_block) {
     const std::size_t count = std::min(points.size() - begin, std::size_t(k_block));
     Block block;
@@ -111,7 +113,7 @@ void scattering_from_viewer(const Huang<double>& m, int lobe, std::span<const Po
       block.z[i] = float(lit.direction.z);
       out[begin + i] = lobe < 1 ? mirrored(m, view, lit, at) : glm::dvec3(0);
     }
-    best_kernel()(numbers.data(), {met.data(), int(met.size())}, k_block, block.pointers());
+    add_facets(numbers.data(), {met.data(), int(met.size())}, k_block, block.pointers());
     for (std::size_t i = 0; i < count; ++i) out[begin + i] += glm::dvec3(block.red[i], block.green[i], block.blue[i]);
   }
 }

@@ -33,8 +33,9 @@ std::vector<Subject> subjects(const LadderRequest& request, std::vector<std::str
 
 Result<void> apply(const Subject& subject, const ModelsRequest& request, scene::Scene& scene) {
   CUTICLE_ASSIGN(scene::Block model, model_of_fibre(subject.model, request.ladder.hair));
-  // Lobes of huang are no products, and a texel of M or N takes as long as thousands of S.
-  const char* layout = subject.model == "huang" ? "factored" : "nalu_theta";
+  // Lobes of a model that walks are no products, and a texel of M or N takes as long as thousands of S.
+  CUTICLE_ASSIGN(const bsdf::Model* registered, bsdf::find_model(subject.model));
+  const char* layout = registered->scattering_from_viewer != nullptr ? "factored" : "nalu_theta";
   scene.material = {.model = std::move(model), .layout = layout, .lut_size = request.table_size};
   scene.render_method = "reference";
   scene.passes.erase("dual_scattering");
