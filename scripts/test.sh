@@ -20,8 +20,10 @@ scripts/coverage-of-systems
 say "build asan-ubsan"
 scripts/build.sh asan-ubsan all_tests all_fuzz_targets
 say "tests of asan-ubsan"
-ASAN_OPTIONS=detect_leaks=1 LSAN_OPTIONS=suppressions="$PWD/cmake/leaks.supp" UBSAN_OPTIONS=print_stacktrace=1 \
-  ctest --preset asan-ubsan -j2
+# intercept_tls_get_addr: up to LLVM 16 the runtime takes a thread's block that begins 16 bytes after a page for one with the
+# header of glibc 2.19, reads its address and length from whatever stands there, and the search for leaks may die of it.
+export ASAN_OPTIONS=detect_leaks=1:intercept_tls_get_addr=0
+LSAN_OPTIONS=suppressions="$PWD/cmake/leaks.supp" UBSAN_OPTIONS=print_stacktrace=1 ctest --preset asan-ubsan -j2
 
 say "fuzzing"
 scripts/fuzz.sh
