@@ -1,6 +1,8 @@
 // Fits the corrections of dual scattering to path tracing: fit_multiple_scattering TABLE.cpp FOLDER ... [--held FOLDER
 // ...]. Each folder is one that samples.cpp wrote; those behind --held are only judged. Prints light and errors of
-// each, and writes the table that bsdf/dual_scattering compiles. Equations are means over 8 x 8 pixels.
+// each, and writes the table that bsdf/dual_scattering compiles; with --judge the errors of the compiled one alone.
+// Equations are means over 8 x 8 pixels.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -21,12 +23,12 @@ namespace {
 using namespace cuticle;
 using namespace cuticle::bsdf::dual_scattering;
 
-constexpr int k_side = 8, k_rows = 32, k_seen = 5, k_light = 9;
+constexpr int k_side = 8, k_rows = 32, k_seen = 7, k_light = 9;
 constexpr double k_pi = 3.141592653589793, k_bent = 0.16;  // direction_spread^2 of render/passes/dual_scattering
 
 /// Smoothing, and the weight of a picture's mean beside all its squares: chosen by --leave-out.
 struct Weights {
-  double bend = 0.2, slope = 0.06, pull = 0.2, mean = 1.5;
+  double bend = 1, slope = 0.06, pull = 0.2, mean = 2;
 };
 
 template <class T>
@@ -41,17 +43,23 @@ std::vector<T> read(const std::string& path) {
   return values;
 }
 
-/// One picture by one shadow method: its light in blocks, and what each factor at each depth adds to them.
+/// What each factor adds to a block's light at each depth and angle: angles innermost.
+using Parts = std::array<glm::dvec3, k_factors * k_depths * k_angles>;
+constexpr std::size_t place_of_part(int factor, int depth, int angle) {
+  return std::size_t((factor * k_depths + depth) * k_angles + angle);
+}
+
+/// One picture by one shadow method: its light in blocks, and what adds to them.
 struct Case {
   std::string name, groom;
   int method = 0, methods = 1;
   int across = 0, blocks = 0;
   double thickness = 0;
+  Within within = Within::hair_alone;
   glm::dvec3 albedo{0};
   std::vector<glm::dvec3> direct, multiple, variance;
   std::vector<char> lit;
-  /// Of a block: rows of k_factors times k_depths.
-  std::vector<std::array<glm::dvec3, k_factors * k_depths>> parts;
+  std::vector<Parts> parts;  ///< of each block
 };
 
 ScatteringLobe<double> lobe_of(const std::vector<double>& terms, int lobe, double theta, int channel) {
@@ -92,17 +100,24 @@ void add_light(Case& picture, const std::vector<float>& light, int width) {
     }
 }
 
+/// The cosine of the angle between light and eye.
+double toward(const float* seen) {
+  const double sin_i = double(seen[1]), sin_o = double(seen[2]);
+  return sin_i * sin_o +
+         std::sqrt(std::max(1 - sin_i * sin_i, 0.0) * std::max(1 - sin_o * sin_o, 0.0)) * double(seen[3]);
+}
+
 /// What a ray's vertex adds to its block: `tiles` shades vertices and draws what lies between them.
-void add_vertex(std::array<glm::dvec3, k_factors * k_depths>& parts, const std::vector<double>& terms,
-                const float* seen, double arrives, double unit) {
-  const Between depth = between_depths(arrives);
+void add_vertex(Parts& parts, const std::vector<double>& terms, const float* seen, double arrives, double unit) {
+  const Between depth = between_depths(arrives), angle = between_angles(toward(seen));
   for (int c = 0; c < 3; ++c) {
     const auto factors = factors_at(terms, seen, arrives, c);
-    for (int f = 0; f < k_factors; ++f) {
-      glm::dvec3* part = parts.data() + f * k_depths + depth.below;
-      part[0][c] += unit * factors[std::size_t(f)] * (1 - depth.share);
-      part[1][c] += unit * factors[std::size_t(f)] * depth.share;
-    }
+    for (int f = 0; f < k_factors; ++f)
+      for (int corner = 0; corner < 4; ++corner) {
+        const int dd = corner / 2, da = corner % 2;
+        const double share = (dd ? depth.share : 1 - depth.share) * (da ? angle.share : 1 - angle.share);
+        parts[place_of_part(f, depth.below + dd, angle.below + da)][c] += unit * factors[std::size_t(f)] * share;
+      }
   }
 }
 
@@ -113,9 +128,11 @@ void add_parts(Case& picture, const std::vector<double>& terms, const std::vecto
     const int block = y * picture.across + x;
     if (x >= picture.across || block >= picture.blocks) continue;
     const float* row = seen.data() + k;
-    for (const int end : {0, 1})
+    for (const int end : {0, 1}) {
+      const double share = end == 1 ? double(row[4]) : 1 - double(row[4]), past = double(row[5 + end]);
       add_vertex(picture.parts[std::size_t(block)], terms, row, double(row[k_seen + 2 * picture.method + end]),
-                 unit * (end == 1 ? double(row[4]) : 1 - double(row[4])));
+                 unit * share * past);
+    }
   }
 }
 
@@ -130,6 +147,7 @@ Case read_case(const std::string& folder, int method) {
   picture.across = width / k_side;
   picture.blocks = picture.across * (height / k_side);
   picture.thickness = about[4];
+  picture.within = about[6] > 0 ? Within::hair_on_head : Within::hair_alone;
   const auto blocks = std::size_t(picture.blocks);
   for (auto* sums : {&picture.direct, &picture.multiple, &picture.variance}) sums->assign(blocks, glm::dvec3(0));
   picture.parts.assign(blocks, {});
@@ -150,11 +168,16 @@ lut::PositiveEquation equation_of(const Case& picture, std::size_t block, int c)
   lut::PositiveEquation equation{.terms = {}, .value = picture.multiple[block][c], .weight = 1};
   for (int f = 0; f < k_factors; ++f)
     for (int d = 0; d < k_depths; ++d)
-      for (int corner = 0; corner < 4; ++corner) {
-        const int dt = corner / 2, da = corner % 2;
-        const double share = (dt ? t.share : 1 - t.share) * (da ? a.share : 1 - a.share);
-        const double factor = share * picture.parts[block][std::size_t(f * k_depths + d)][c];
-        if (factor != 0) equation.terms.push_back({std::uint32_t(place_of(f, t.below + dt, a.below + da, d)), factor});
+      for (int angle = 0; angle < k_angles; ++angle) {
+        const double part = picture.parts[block][place_of_part(f, d, angle)][c];
+        for (int corner = 0; corner < 8; ++corner) {
+          const int dt = corner / 4, da = corner / 2 % 2, other = corner % 2;
+          const double factor =
+              part * (dt ? t.share : 1 - t.share) * (da ? a.share : 1 - a.share) * (other ? a.share : 1 - a.share);
+          if (factor != 0)
+            equation.terms.push_back({std::uint32_t(place_of(f, t.below + dt, a.below + da, d)), factor,
+                                      std::uint32_t(place_of_angle(f, a.below + other, angle))});
+        }
       }
   return equation;
 }
@@ -192,7 +215,8 @@ Errors errors_of(const Case& picture, std::span<const double> numbers) {
   for (std::size_t b = 0; b < picture.lit.size(); ++b) {
     glm::dvec3 multiple(0);
     for (int c = 0; c < 3; ++c)
-      for (const auto& [place, factor] : equation_of(picture, b, c).terms) multiple[c] += factor * numbers[place];
+      for (const auto& [place, factor, other] : equation_of(picture, b, c).terms)
+        multiple[c] += factor * numbers[place] * numbers[other];
     const glm::dvec3 right = picture.direct[b] + picture.multiple[b], difference = multiple - picture.multiple[b];
     drawn += picture.direct[b] + multiple;
     wanted += right;
@@ -241,8 +265,9 @@ void report(const std::string& title, const std::vector<Case>& cases, std::span<
 lut::PositiveFit fit_to(const std::vector<Case>& told, const Weights& weights) {
   std::vector<lut::PositiveEquation> equations;
   for (const Case& picture : told) append_equations(picture, weights.mean, equations);
-  const lut::PositiveShape shape{k_factors, {k_thicknesses, k_albedos, k_depths}};
-  auto fit = lut::fit_positive(equations, shape, {weights.bend, weights.slope, weights.pull, 2});
+  const std::array<lut::PositiveShape, 2> shapes{
+      {{k_factors, {k_thicknesses, k_albedos, k_depths}, 2}, {k_factors, {1, k_albedos, k_angles}, k_factors}}};
+  auto fit = lut::fit_positive(equations, shapes, {weights.bend, weights.slope, weights.pull});
   if (!fit) {
     fmt::print(stderr, "{}\n", fit.error().message);
     std::exit(5);
@@ -266,16 +291,55 @@ void report_left_out(const std::vector<Case>& cases, std::span<const double> bef
   for (const auto& [method, of_method] : sums) of_method.print(fmt::format("left out, method {},", method));
 }
 
-void write_table(const std::string& path, const std::vector<double>& numbers) {
+void print_table(fmt::ostream& file, std::string_view name, const std::vector<double>& numbers) {
+  file.print("constexpr double {}[k_numbers] = {{\n", name);
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+    file.print("{}{:.3g},{}", k % 8 ? " " : "      ", numbers[k], (k + 1) % 8 && k + 1 < numbers.size() ? "" : "\n");
+  file.print("}};\n");
+}
+
+void write_tables(const std::string& path, const std::vector<double>& alone, const std::vector<double>& on_head) {
   auto file = fmt::output_file(path);
   file.print("#include \"bsdf/dual_scattering/corrections.h\"\n\nnamespace cuticle::bsdf::dual_scattering {{\n\n");
   file.print(
       "// Written by bench/multiple_scattering/fit.cpp; bench/results/multiple_scattering.txt says from what.\n");
+  file.print("namespace {{\n\n");
+  print_table(file, "k_hair_alone", alone);
+  print_table(file, "k_hair_on_head", on_head);
   file.print(
-      "std::span<const double, k_numbers> fitted_corrections() {{\n  static const double table[k_numbers] = {{\n");
-  for (std::size_t k = 0; k < numbers.size(); ++k)
-    file.print("{}{:.3g},{}", k % k_depths ? " " : "      ", numbers[k], (k + 1) % k_depths ? "" : "\n");
-  file.print("  }};\n  return table;\n}}\n\n}}  // namespace cuticle::bsdf::dual_scattering\n");
+      "\n}}  // namespace\n\nstd::span<const double, k_numbers> fitted_corrections(Within within) {{\n"
+      "  return within == Within::hair_alone ? k_hair_alone : k_hair_on_head;\n}}\n\n");
+  file.print("}}  // namespace cuticle::bsdf::dual_scattering\n");
+}
+
+std::vector<Case> cases_within(const std::vector<Case>& cases, Within within) {
+  std::vector<Case> chosen;
+  std::ranges::copy_if(cases, std::back_inserter(chosen), [&](const Case& one) { return one.within == within; });
+  return chosen;
+}
+
+/// What of a fit is asked for.
+struct Wish {
+  bool leave_out = false, judge = false;
+};
+
+std::vector<double> fitted_within(Within within, const std::vector<Case>& all_told, const std::vector<Case>& all_held,
+                                  const Weights& weights, const Wish& wish) {
+  const std::vector<Case> told = cases_within(all_told, within), held = cases_within(all_held, within);
+  std::vector<double> before(k_numbers, 1.0);
+  std::fill_n(before.begin() + place_of(2, 0, 0, 0), k_depth_numbers / k_factors, 0.0);
+  const auto compiled = fitted_corrections(within);
+  std::vector<double> numbers(compiled.begin(), compiled.end());
+  const std::string where = within == Within::hair_alone ? " hair alone" : " on a head";
+  if (!wish.judge && !told.empty()) {
+    const lut::PositiveFit fit = fit_to(told, weights);
+    fmt::print("{}: {} steps, cost {:.4f} from {:.4f}\n", where, fit.steps, fit.cost_after, fit.cost_before);
+    numbers = fit.numbers;
+  }
+  report((wish.judge ? "told" : "fitted") + where, told, before, numbers, !wish.leave_out);
+  report("held" + where, held, before, numbers, !wish.leave_out);
+  if (wish.leave_out) report_left_out(told, before, weights);
+  return numbers;
 }
 
 }  // namespace
@@ -283,7 +347,8 @@ void write_table(const std::string& path, const std::vector<double>& numbers) {
 int main(int count, char** given) {
   std::vector<Case> told, held;
   Weights weights;
-  bool is_held = false, leave_out = false;
+  Wish wish;
+  bool is_held = false;
   const std::map<std::string, double*> numbers{
       {"--bend", &weights.bend}, {"--slope", &weights.slope}, {"--pull", &weights.pull}, {"--mean", &weights.mean}};
   for (int k = 2; k < count; ++k) {
@@ -291,7 +356,9 @@ int main(int count, char** given) {
     if (word == "--held") {
       is_held = true;
     } else if (word == "--leave-out") {
-      leave_out = true;
+      wish.leave_out = true;
+    } else if (word == "--judge") {
+      wish.judge = true;
     } else if (const auto number = numbers.find(word); number != numbers.end() && k + 1 < count) {
       *number->second = std::atof(given[++k]);
     } else {
@@ -303,18 +370,13 @@ int main(int count, char** given) {
     }
   }
   if (told.empty()) {
-    fmt::print(
-        stderr,
-        "fit_multiple_scattering TABLE.cpp [--bend B] [--slope S] [--pull P] [--mean M] [--leave-out] FOLDER ... "
-        "[--held FOLDER ...]\n");
+    fmt::print(stderr,
+               "fit_multiple_scattering TABLE.cpp [--bend B] [--slope S] [--pull P] [--mean M] [--leave-out] [--judge] "
+               "FOLDER ... "
+               "[--held FOLDER ...]\n");
     return 2;
   }
-  std::vector<double> before(k_numbers, 1.0);
-  std::fill(before.begin() + place_of(2, 0, 0, 0), before.end(), 0.0);
-  const lut::PositiveFit fit = fit_to(told, weights);
-  fmt::print("{} steps, cost {:.4f} from {:.4f}\n", fit.steps, fit.cost_after, fit.cost_before);
-  report("fitted", told, before, fit.numbers, !leave_out);
-  report("held", held, before, fit.numbers, !leave_out);
-  if (leave_out) report_left_out(told, before, weights);
-  write_table(given[1], fit.numbers);
+  const auto alone = fitted_within(Within::hair_alone, told, held, weights, wish),
+             on_head = fitted_within(Within::hair_on_head, told, held, weights, wish);
+  if (!wish.judge) write_tables(given[1], alone, on_head);
 }

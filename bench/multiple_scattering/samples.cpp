@@ -1,6 +1,6 @@
 // What the fibres of a scene that the camera sees have before them, and what light they send by path tracing:
-// multiple_scattering_samples SCENE FOLDER SAMPLES PER_PIXEL [METHOD[:NAME=VALUE,..] ...]. The scene's first light,
-// without surfaces; transmittance by its shadow method, and by those that are named, at the vertices, as pictures have
+// multiple_scattering_samples SCENE FOLDER SAMPLES PER_PIXEL [METHOD[:NAME=VALUE,..] ...]. The scene's first light;
+// transmittance by its shadow method, and by those that are named, at the vertices, as pictures have
 // it. Writes the files that fit.cpp reads (README.md); with 0 samples about.f64 alone.
 #include <cmath>
 #include <cstdio>
@@ -70,8 +70,25 @@ std::vector<float> at_vertices(const TracedScene& traced, const Shadow& shadow) 
   return must(shadow.method->evaluate(casters, receivers, shadow.values)).values;
 }
 
-/// Rows of pixel, sin theta_i, sin theta_o, cos phi, transmittance by each method: one for each ray of a pixel that
-/// meets hair.
+std::vector<strands::Mesh> meshes_of(const TracedScene& traced) {
+  std::vector<strands::Mesh> meshes;
+  for (const auto& surface : traced.surfaces) meshes.push_back(surface.mesh);
+  return meshes;
+}
+
+/// 1 where surfaces let the light pass, as the pass surface_shadow has it with its bias of 4 mm.
+std::vector<float> past_surfaces(const TracedScene& traced) {
+  constexpr double bias = 4e-3;
+  const glm::dvec3 to_light = traced.lights[0].to_light;
+  const auto surfaces = must(strands::RayScene::build({}, meshes_of(traced)));
+  std::vector<float> past;
+  for (const glm::vec3& vertex : traced.hair.positions)
+    past.push_back(surfaces->is_blocked(glm::dvec3(vertex) + bias * to_light, to_light, 1e3) ? 0.f : 1.f);
+  return past;
+}
+
+/// Rows of pixel, sin theta_i, sin theta_o, cos phi, share, then for either vertex what passes surfaces and the
+/// transmittance by each method: one for each ray of a pixel that meets hair.
 std::vector<float> seen_by_row(const TracedScene& traced, const strands::RayScene& rays,
                                std::span<const glm::vec3> tangents, std::span<const std::vector<float>> transmittances,
                                int y, int per_pixel) {
@@ -96,8 +113,8 @@ std::vector<float> seen_by_row(const TracedScene& traced, const strands::RayScen
 
 std::vector<float> seen_by_camera(const TracedScene& traced, std::span<const Shadow> shadows, int per_pixel) {
   const auto tangents = strands::tangents(traced.hair);
-  const auto rays = must(strands::RayScene::build(traced.hair, {}));
-  std::vector<std::vector<float>> transmittances;
+  const auto rays = must(strands::RayScene::build(traced.hair, meshes_of(traced)));
+  std::vector<std::vector<float>> transmittances{past_surfaces(traced)};
   for (const Shadow& shadow : shadows) transmittances.push_back(at_vertices(traced, shadow));
   std::vector<std::vector<float>> rows(static_cast<std::size_t>(traced.camera.resolution.y));
   tbb::parallel_for(std::size_t(0), rows.size(), [&](std::size_t y) {
@@ -145,6 +162,8 @@ TracedScene traced_scene(const scene::Scene& scene) {
   traced.values = scene.material.model.values;
   if (traced.values.all().contains("field")) traced.values.set("field", std::string("near"));
   traced.lights = {scene.lights.at(0)};
+  if (const strands::Mesh& head = runner->set().head; !head.triangles.empty())
+    traced.surfaces = {{head, std::vector<glm::vec3>(head.positions.size(), glm::vec3(0))}};
   traced.camera = plan::camera_at(scene.camera, strands::bounds(runner->set().control), {});
   return traced;
 }
@@ -170,5 +189,5 @@ int main(int count, char** given) {
   write(folder + "/about.f64",
         std::vector<double>{double(traced.camera.resolution.x), double(traced.camera.resolution.y), double(per_pixel),
                             traced.lights[0].irradiance.x, strands::optical_thickness(traced.hair),
-                            double(shadows.size())});
+                            double(shadows.size()), double(traced.surfaces.size())});
 }

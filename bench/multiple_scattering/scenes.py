@@ -4,9 +4,10 @@
   python bench/multiple_scattering/scenes.py OUT [--samples 64]
   build/release/bin/fit_multiple_scattering TABLE.cpp OUT/told_* --held OUT/held_*
 
-Ten grooms from sparse to dense, lights from all sides, views from all around and colours from clear to black. What OUT has is kept.
+Grooms from sparse to dense, lights from all sides, views from all around and colours from clear to black. What OUT has is kept.
 """
 import argparse
+import concurrent.futures
 import math
 import os
 import random
@@ -28,6 +29,7 @@ GROWN = {"D4": ("density=4e5", 8e-5), "D2": ("density=2e5", 8e-5), "D1": ("densi
 # Transmittance is also that of the maps that the scenes of the gallery and the ladder have.
 SHADOWS = ["deep_opacity:layers=16,resolution=320,filter_radius_mm=1.5", "deep_opacity:layers=8,resolution=512,filter_texels=1"]
 LADDER = os.path.abspath(os.path.join(os.path.dirname(__file__), "../../scenes/ladder/blond_strands.json"))
+ON_HEAD = "h"  # in names of cases: with the head that the hair grows on
 FILES = {"PT": "ponytail", "TH": "testhair", "SI": "sintel"}
 CHOSEN = [("D4", KEY, BLOND), ("D4", BACK, UNEVEN), ("D4", SIDE, BROWN), ("D4", TOP, UNEVEN), ("D1", KEY, UNEVEN),
           ("D1", BACK, BLOND), ("D1", SIDE, BLOND), ("D05", KEY, BLOND), ("D05", TOP, UNEVEN), ("D05", BACK, BROWN),
@@ -69,12 +71,26 @@ def cases():
     told = drawn([("D4", 7), ("D2", 4), ("D1", 6), ("D05", 5), ("CU", 6), ("PT", 6), ("SI", 4)], chance,
                  lambda k, n: DRAWN[(k + n) % 5])
     more = drawn([("LB", 6)], random.Random(6), lambda k, n: DRAWN[k % 5])
+    all_around = drawn([(groom, 12) for groom in ("D4", "D2", "D1", "D05", "CU", "PT", "SI")], random.Random(7),
+                       lambda k, n: DRAWN[(k + n) % 5])
     held = drawn([("D4", 2), ("WA", 2), ("TH", 2), ("PT", 1), ("SI", 1), ("D1", 1), ("CU", 1)], chance,
                  lambda k, n: (BLOND, (0.04, 0.25, 0.8))[k % 2])
     for k, case in enumerate(CHOSEN):
         yield f"told_a{k:02d}_{case[0]}", 128, 6, (*case, None)
     for k, case in enumerate(case for group in told for case in group[:4]):
         yield f"told_b{k:02d}_{case[0]}", 64, 6, case
+    for k, case in enumerate(case for group in all_around for case in group):
+        yield f"told_e{k:02d}_{case[0]}", 64, 6, case
+    rest = drawn([(groom, 8) for groom in ("TH", "LB", "WA", "ST")], random.Random(8), lambda k, n: DRAWN[(k + n) % 5])
+    for k, case in enumerate(case for group in rest for case in group):
+        yield f"told_f{k:02d}_{case[0]}", 64, 6, case
+    on_heads = [("D4", 10), ("D2", 5), ("D1", 8), ("D05", 8), ("CU", 8), ("WA", 8), ("ST", 8), ("LB", 8)]
+    told_on_heads = drawn(on_heads, random.Random(9), lambda k, n: DRAWN[(k + n) % 5])
+    held_on_heads = drawn([(groom, 2) for groom, _ in on_heads], random.Random(10), lambda k, n: (BLOND, (0.04, 0.25, 0.8))[k % 2])
+    for k, case in enumerate(case for group in told_on_heads for case in group):
+        yield f"told_{ON_HEAD}{k:02d}_{case[0]}", 64, 6, case
+    for k, case in enumerate(case for group in held_on_heads for case in group):
+        yield f"held_{ON_HEAD}{k:02d}_{case[0]}", 64, 6, case
     for k, case in enumerate(case for group in more for case in group):
         yield f"held_d{k:02d}_{case[0]}", 64, 6, case
     for k, case in enumerate([("ST", KEY, BLOND, None), ("ST", LEFT, (0.02, 0.062, 0.17), OTHER_SIDE)]):
@@ -107,20 +123,29 @@ def scene_of(case, size, out):
     return measured_scenes.scene("dense", out, colour, size, to_light, groom=groom_of(groom, out), camera=camera or HEAD)
 
 
+def make(case, options):
+    name, size, rays, drawn_case = case
+    folder = os.path.join(options.out, name)
+    if os.path.exists(os.path.join(folder, "about.f64")):
+        return
+    os.makedirs(folder, exist_ok=True)
+    scene = scene_of(drawn_case, size, options.out)
+    if f"_{ON_HEAD}" in name:
+        scene["head"] = {"present": True}
+    path = measured_scenes.write(scene, os.path.join(folder, "scene.json"))
+    print(name, flush=True)
+    subprocess.run([SAMPLES, path, folder, str(options.samples), str(rays), *SHADOWS], check=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("out")
     parser.add_argument("--samples", type=int, default=64)
+    parser.add_argument("--jobs", type=int, default=2, help="pictures at a time")
     options = parser.parse_args()
     os.makedirs(options.out, exist_ok=True)
-    for name, size, rays, case in cases():
-        folder = os.path.join(options.out, name)
-        if os.path.exists(os.path.join(folder, "about.f64")):
-            continue
-        os.makedirs(folder, exist_ok=True)
-        path = measured_scenes.write(scene_of(case, size, options.out), os.path.join(folder, "scene.json"))
-        print(name, flush=True)
-        subprocess.run([SAMPLES, path, folder, str(options.samples), str(rays), *SHADOWS], check=True)
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        list(pool.map(lambda case: make(case, options), cases()))
 
 
 if __name__ == "__main__":

@@ -34,16 +34,27 @@ Between between_thicknesses(double thickness) {
   return between(share * (k_thicknesses - 1), k_thicknesses);
 }
 
+Between between_angles(double cosine) { return between((cosine + 1) / 2 * (k_angles - 1), k_angles); }
+
 Corrections corrections_of(std::span<const double, k_numbers> table, double albedo, double thickness) {
   const Between a = between_albedos(albedo), t = between_thicknesses(thickness);
-  const auto number = [&](int factor, int depth) {
-    const auto at = [&](int dt, int da) {
-      return table[std::size_t(place_of(factor, t.below + dt, a.below + da, depth))];
+  const auto between_albedos_of = [&](auto&& place) {
+    return std::lerp(table[std::size_t(place(a.below))], table[std::size_t(place(a.below + 1))], a.share);
+  };
+  const auto of_depth = [&](int factor, int depth) {
+    const auto at = [&](int dt) {
+      return between_albedos_of([&](int albedo) { return place_of(factor, t.below + dt, albedo, depth); });
     };
-    return std::lerp(std::lerp(at(0, 0), at(0, 1), a.share), std::lerp(at(1, 0), at(1, 1), a.share), t.share);
+    return std::lerp(at(0), at(1), t.share);
+  };
+  const auto of_angle = [&](int factor, int angle) {
+    return between_albedos_of([&](int albedo) { return place_of_angle(factor, albedo, angle); });
   };
   Corrections corrections;
-  for (int k = 0; k < k_depths; ++k) corrections[std::size_t(k)] = {number(0, k), number(1, k), number(2, k)};
+  for (int k = 0; k < k_depths; ++k)
+    corrections.depths[std::size_t(k)] = {of_depth(0, k), of_depth(1, k), of_depth(2, k)};
+  for (int k = 0; k < k_angles; ++k)
+    corrections.angles[std::size_t(k)] = {of_angle(0, k), of_angle(1, k), of_angle(2, k)};
   return corrections;
 }
 

@@ -9,8 +9,8 @@ namespace cuticle::render::dual_scattering {
 namespace {
 
 constexpr std::string_view k_demands[] = {"light", "dual_scattering"};
-constexpr Use k_uses[] = {reads<FibreMaterial>(), reads<FibreOpacity>(), may_read<RestStrands>(),
-                          may_read<bake_tables::Tables>(), writes<Terms>()};
+constexpr Use k_uses[] = {reads<FibreMaterial>(), reads<FibreOpacity>(),           may_read<RestStrands>(),
+                          may_read<Surfaces>(),   may_read<bake_tables::Tables>(), writes<Terms>()};
 constexpr std::string_view k_after[] = {"bake_tables"};
 constexpr std::string_view k_systems[] = {"F11"};
 constexpr std::string_view k_corrections[] = {"none", "path_tracing"};
@@ -26,7 +26,8 @@ void describe(registry::Members& members, Parameters& p) {
           "standard deviation of the inclinations of fibres about a point, by which each scattering spreads more "
           "widely; 0: parallel fibres, as the paper has them");
   members(p.corrections, "corrections", k_corrections,
-          "path_tracing: further factors by albedo, optical depth and thickness of the hair, fitted to path tracing");
+          "path_tracing: further factors by albedo, optical depth, the angle between light and eye, the thickness of "
+          "the hair and whether it grows on a head, fitted to path tracing");
 }
 
 const Pass& entry() {

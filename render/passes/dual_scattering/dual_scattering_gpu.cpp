@@ -11,6 +11,7 @@ namespace {
 
 // The shader reads what is appended here in this order, and this number of rows.
 static_assert(bsdf::k_dual_scattering_rows == 32);
+static_assert(bsdf::dual_scattering::k_depths == 8 && bsdf::dual_scattering::k_angles == 9);
 
 void append(const bsdf::HalfScattering& half, std::vector<glm::vec4>& terms) {
   terms.emplace_back(half.share, 0);
@@ -24,15 +25,19 @@ void append_corrections(const bsdf::DualScatteringTable& table, const Resources&
                         std::vector<glm::vec4>& terms) {
   const RestStrands* const rest = resources.find<RestStrands>();
   const bool fitted = wanted == Corrections::path_tracing && rest && rest->groom;
+  const Surfaces* const surfaces = resources.find<Surfaces>();
+  const auto within = surfaces && surfaces->head ? bsdf::dual_scattering::Within::hair_on_head
+                                                 : bsdf::dual_scattering::Within::hair_alone;
   const double thickness = fitted ? strands::optical_thickness(*rest->groom) : 1;
   const auto& average = table.rows[table.rows.size() / 2].average;
   for (int c = 0; c < 3; ++c) {
     bsdf::dual_scattering::Corrections rows;
     if (fitted)
-      rows = bsdf::dual_scattering::corrections_of(bsdf::dual_scattering::fitted_corrections(),
+      rows = bsdf::dual_scattering::corrections_of(bsdf::dual_scattering::fitted_corrections(within),
                                                    average.forward.share[c] + average.backward.share[c],
                                                    thickness * resources.get<FibreOpacity>().alpha[c]);
-    for (const auto& row : rows) terms.emplace_back(row.onward, row.back, row.diffuse, 0);
+    for (const auto& row : rows.depths) terms.emplace_back(row.onward, row.back, row.diffuse, 0);
+    for (const auto& row : rows.angles) terms.emplace_back(row.onward, row.back, row.diffuse, 0);
   }
 }
 

@@ -1,0 +1,55 @@
+"""Light of blond hair on a black head that casts shadows, from three sides by four lights, over that of the reference: direct light, and with dual
+scattering, with its corrections and without. Red, green, blue; `direct` over direct light of paths, the others over all light of paths.
+
+  PYTHONPATH=build/release/python python bench/dual_scattering_on_head.py
+"""
+import copy
+import json
+import pathlib
+
+import numpy
+
+import cuticle
+
+LADDER = pathlib.Path(__file__).resolve().parent.parent / "scenes/ladder"
+VIEWS = {"side": [0.95, 0.12, -0.35], "front": [0, 0.12, 1], "back": [-0.6, 0.3, -0.8]}
+LIGHTS = ([0.9, 0.6, -0.1], [-0.6, 0.5, -0.7], [0.9, 0.3, 0.1], [0.1, 0.5, 0.9])
+
+
+def on_head(view, to_light):
+    scene = json.loads((LADDER / "blond.json").read_text())
+    for moving in ("simulation", "motion", "colliders"):
+        scene.pop(moving)
+    scene["material"] = {"model": {"chiang": {"sigma_a": [0.06, 0.1, 0.2]}}, "evaluate": "direct"}
+    scene["shadow"] = {"method": {"deep_shadow": {"resolution": 1024}}}
+    scene["passes"] = {"head": {"skin": [0, 0, 0], "scalp": [0, 0, 0], "ambient": 0}, "surface_shadow": {},
+                       "lines": {"ambient": 0, "tip_variation": 0, "variation": 0}}
+    scene["camera"].update(position_m=view, resolution_px=[96, 96])
+    scene["groom"]["specification"] = str(LADDER / scene["groom"]["specification"])
+    scene["lights"] = [{**scene["lights"][0], "to_light": to_light}]
+    return scene
+
+
+def light(scene, way, **passes):
+    scene = copy.deepcopy(scene)
+    scene["passes"].update(passes)
+    return cuticle.render(scene, method=way)[..., :3].mean((0, 1))
+
+
+def main():
+    print("view   to_light           direct                all, corrected        all, none")
+    off = []
+    for name, view in VIEWS.items():
+        for to_light in LIGHTS:
+            scene = on_head(view, to_light)
+            paths = light(scene, "reference", reference={"samples": 128})
+            once = light(scene, "reference", reference={"samples": 128, "bounces": 1})
+            drawn = [light(scene, "tiles") / once]
+            drawn += [light(scene, "tiles", dual_scattering={"corrections": way}) / paths for way in ("path_tracing", "none")]
+            off.append([numpy.abs(shares - 1).mean() for shares in drawn])
+            print(f"{name:6} {str(to_light):18}", "   ".join("{:5.2f} {:5.2f} {:5.2f}".format(*shares) for shares in drawn), flush=True)
+    print("off in the mean          {:5.2f}                 {:5.2f}                 {:5.2f}".format(*numpy.mean(off, 0)))
+
+
+if __name__ == "__main__":
+    main()
