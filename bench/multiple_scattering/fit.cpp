@@ -1,7 +1,8 @@
 // Fits the corrections of dual scattering to path tracing: fit_multiple_scattering TABLE.cpp FOLDER ... [--held FOLDER
 // ...]. Each folder is one that samples.cpp wrote; those behind --held are only judged. Prints light and errors of
-// each, and writes the table that bsdf/dual_scattering compiles; with --judge the errors of the compiled one alone.
-// Equations are means over 8 x 8 pixels.
+// each, and writes the tables that bsdf/dual_scattering compiles, of hair alone and on a head; without pictures of one
+// it stays as it is compiled. With --judge the errors of the compiled ones alone. Equations are means over 8 x 8
+// pixels.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -138,6 +139,10 @@ void add_parts(Case& picture, const std::vector<double>& terms, const std::vecto
 
 Case read_case(const std::string& folder, int method) {
   const auto about = read<double>(folder + "/about.f64"), terms = read<double>(folder + "/terms.f64");
+  if (about.size() != 7) {
+    fmt::print(stderr, "{}: about.f64 holds {} numbers, not 7: made by another samples.cpp\n", folder, about.size());
+    std::exit(3);
+  }
   const int width = int(about[0]), height = int(about[1]);
   Case picture;
   picture.name = folder.substr(folder.find_last_of('/') + 1);

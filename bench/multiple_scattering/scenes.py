@@ -144,6 +144,8 @@ def main():
     parser.add_argument("--jobs", type=int, default=2, help="pictures at a time")
     options = parser.parse_args()
     os.makedirs(options.out, exist_ok=True)
+    for groom in GROWN:
+        groom_of(groom, options.out)
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         list(pool.map(lambda case: make(case, options), cases()))
 

@@ -45,17 +45,28 @@ TEST(Corrections, BetweenRows_AreLinear) {
   EXPECT_NEAR(found.angles[8].diffuse, 2000 + 15 + 8, 1e-9);
 }
 
-// Fibres send light on mostly as it came: with the light behind, hair has more of it than from the side.
-TEST(Corrections, OfTheToolkit_ArePositiveAndSendLightOn) {
-  for (const Within within : {Within::hair_alone, Within::hair_on_head}) {
+TEST(Corrections, OfTheToolkit_ArePositive) {
+  for (const Within within : {Within::hair_alone, Within::hair_on_head})
     for (const double number : fitted_corrections(within)) {
       EXPECT_GT(number, 0);
       EXPECT_LT(number, 400);
     }
-    for (const double albedo : {0.95, 0.6, 0.3}) {
-      const Corrections found = corrections_of(fitted_corrections(within), albedo, 5);
-      EXPECT_GT(found.angles[0].onward, 1.2 * found.angles[k_angles / 2].onward) << albedo;
-    }
+}
+
+// Light without a direction is most of what dense blond hair lacks; thin or dark hair has next to none.
+TEST(Corrections, OfHairAlone_AreLargestForDenseBlondHair) {
+  const auto diffuse = [](double albedo, double thickness) {
+    return corrections_of(fitted_corrections(Within::hair_alone), albedo, thickness).depths[3].diffuse;
+  };
+  EXPECT_GT(diffuse(0.95, 9), 3 * diffuse(0.95, 1));
+  EXPECT_GT(diffuse(0.95, 9), 3 * diffuse(0.3, 9));
+}
+
+// Fibres send light on mostly as it came: with the light behind, hair has more of it than from the side.
+TEST(Corrections, OfHairOnAHead_SendLightOn) {
+  for (const double albedo : {0.95, 0.6, 0.3}) {
+    const Corrections found = corrections_of(fitted_corrections(Within::hair_on_head), albedo, 5);
+    EXPECT_GT(found.angles[0].onward, 1.2 * found.angles[k_angles / 2].onward) << albedo;
   }
 }
 

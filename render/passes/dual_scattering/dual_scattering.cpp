@@ -25,9 +25,10 @@ void describe(registry::Members& members, Parameters& p) {
   members(p.direction_spread, "direction_spread", "rad", 0, 2,
           "standard deviation of the inclinations of fibres about a point, by which each scattering spreads more "
           "widely; 0: parallel fibres, as the paper has them");
-  members(p.corrections, "corrections", k_corrections,
-          "path_tracing: further factors by albedo, optical depth, the angle between light and eye, the thickness of "
-          "the hair and whether it grows on a head, fitted to path tracing");
+  members(
+      p.corrections, "corrections", k_corrections,
+      "path_tracing: further factors by albedo, optical depth and thickness of the hair, and on a head by the angle "
+      "between light and eye, fitted to path tracing");
 }
 
 const Pass& entry() {
