@@ -1,8 +1,11 @@
 """Light of blond hair on a black head that casts shadows, from three sides by four lights, over that of the reference: direct light, and with dual
 scattering, with its corrections and without. Red, green, blue; `direct` over direct light of paths, the others over all light of paths.
 
-  PYTHONPATH=build/release/python python bench/dual_scattering_on_head.py
+  PYTHONPATH=build/release/python python bench/dual_scattering_on_head.py [--far]
+
+--far: of the front lit from behind alone, direct light by paths that take the mean over a fibre's width, as `tiles` does.
 """
+import argparse
 import copy
 import json
 import pathlib
@@ -36,7 +39,19 @@ def light(scene, way, **passes):
     return cuticle.render(scene, method=way)[..., :3].mean((0, 1))
 
 
+def far():
+    scene = on_head(VIEWS["front"], LIGHTS[1])
+    settings = {"samples": 32, "bounces": 1}
+    once = light(scene, "reference", reference=settings)
+    for name, found in (("tiles", light(scene, "tiles")), ("paths, far field", light(scene, "reference", reference={**settings, "field": "far"}))):
+        print(f"direct light, front lit from behind, {name}: {{:.2f}} {{:.2f}} {{:.2f}}".format(*found / once), flush=True)
+
+
 def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--far", action="store_true")
+    if parser.parse_args().far:
+        return far()
     print("view   to_light           direct                all, corrected        all, none")
     off = []
     for name, view in VIEWS.items():

@@ -3,6 +3,7 @@
 namespace cuticle::bsdf::dual_scattering {
 
 // Written by bench/multiple_scattering/fit.cpp; bench/results/multiple_scattering.txt says from what.
+// Hair alone has no factors by angle: its last 135 numbers are 1.
 namespace {
 
 constexpr double k_hair_alone[k_numbers] = {
