@@ -1,16 +1,21 @@
 """The distance curve: what fewer segments cost at the distance where a strand is an eighth of a pixel wide.
 
-Strands are left out in random order, the rest as much wider; vertices are left out evenly along each strand. Each picture is drawn
-by `tiles` and compared with that of all strands: relative mean squared error of the luminance, light, coverage. The last line says what
-hair that is complete, but lies a third of a pixel aside, differs by.
+Strands are left out by chance, the rest as much wider; vertices are left out evenly along each strand. Each picture is drawn
+by `tiles` and compared with that of all strands: relative mean squared error of the luminance, light, coverage. --levels draws by the
+level of detail as well (tile_lists.full_px), with the time of a frame, and moves the camera away in steps of a hundredth: what a step changes, there and in
+hair that is complete. The last line says what hair that is complete, but lies a third of a pixel aside, differs by.
 
   PYTHONPATH=build/release/python python bench/distance_curve.py [--groom FILE] [--density ROOTS_PER_M2] [--pixels N]
                                                                  [--levels] [--figure FILE.png]
 
-512 pixels hold a whole head, 128 the middle of one. --levels draws by the level of detail as well (tile_lists.full_px).
+512 pixels hold a whole head, 128 the middle of one. Radii are given by the scene (groom.radius_m), because those above .5 mm in a file
+are taken for a mistake.
 """
 import argparse
 import math
+import pathlib
+import tempfile
+import time
 
 import numpy
 
@@ -32,16 +37,47 @@ def thinned(points, order, strands, segments):
     return chosen[:, low] * (1 - share) + chosen[:, low + 1] * share
 
 
-def picture(points, radius, pixels, full_px=0):
-    half = 2 * radius[1] / PIXELS_OF_A_STRAND * pixels / 2
-    groom = cuticle.make_groom(points.astype(numpy.float32), radii=radius[0])
-    return cuticle.render({
-        "groom": groom, "lights": [{"to_light": [0.6, 0.9, 0.8], "irradiance": [15, 14, 13]}],
-        "material": {"model": {"marschner": {"eta": 1.55, "sigma_a": [0.02, 0.06, 0.17], "beta": 0.14, "alpha": -0.0524}}},
-        "shadow": {"method": {"deep_opacity": {"layers": 16, "resolution": 1024}}},
-        "passes": {"tile_lists": {"budget_mib": 2000, "full_px": full_px}},
-        "camera": {"position_m": (TARGET + [0, 0, DISTANCE]).tolist(), "target_m": TARGET.tolist(), "fov_deg": math.degrees(2 * math.atan(half / DISTANCE)), "near_m": 0.2,
-                   "far_m": 5, "resolution_px": [pixels, pixels]}}, method="tiles")
+def half_width(radius, pixels):
+    """Of what the camera sees at the target, metres."""
+    return 2 * radius / PIXELS_OF_A_STRAND * pixels / 2
+
+
+def opened(points, radius, pixels, full_px=0, farther=1, seen=False):
+    """To be drawn by `tiles`. radius: as drawn, and that of the complete hair."""
+    eye, half = TARGET + [0, 0, DISTANCE * farther], half_width(radius[1], pixels)
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder) / "strands.hair"
+        cuticle.write(cuticle.make_groom(points.astype(numpy.float32)), file)
+        return cuticle.Renderer({
+            "groom": {"file": str(file), "metres_per_unit": 1, "radius_m": radius[0]}, "head": {"present": False},
+            "lights": [{"to_light": [0.6, 0.9, 0.8], "irradiance": [15, 14, 13]}],
+            "material": {"model": {"marschner": {"eta": 1.55, "sigma_a": [0.02, 0.06, 0.17], "beta": 0.14, "alpha": -0.0524}}},
+            "shadow": {"method": {"deep_opacity": {"layers": 16, "resolution": 1024}}},
+            "passes": {"tile_lists": {"budget_mib": 2000, "full_px": full_px}},
+            "camera": {"position_m": eye.tolist(), "target_m": TARGET.tolist(), "fov_deg": math.degrees(2 * math.atan(half / DISTANCE)), "near_m": 0.2,
+                       "far_m": 5, "resolution_px": [pixels, pixels]}}, method="tiles", seen=seen)
+
+
+def picture(*of, **options):
+    return opened(*of, **options).frame()
+
+
+def drawn_and_timed(*of):
+    """A picture, the seconds that drawing it again takes, and the number of the last strand that is seen."""
+    renderer = opened(*of)
+    image, start = renderer.frame(), time.perf_counter()
+    renderer.frame()
+    seconds, telling = time.perf_counter() - start, opened(*of, seen=True)
+    telling.frame()
+    return image, seconds, telling.seen["strand"].max() + 1
+
+
+def covered_pixels(points, radius, pixels):
+    """As a level of detail counts them: an ellipse in the box that the hair's bounds have in the picture."""
+    corners = numpy.array(numpy.meshgrid(*[(axis.min(), axis.max()) for axis in points.reshape(-1, 3).T])).reshape(3, -1).T - TARGET
+    seen = corners[:, :2] / (DISTANCE - corners[:, 2:]) * DISTANCE / half_width(radius, pixels)
+    sides = numpy.minimum(seen.max(0), 1) - numpy.maximum(seen.min(0), -1)
+    return sides.prod() / 4 * pixels**2 * math.pi / 4
 
 
 def compared(found, truth):
@@ -50,7 +86,28 @@ def compared(found, truth):
     return float(((light[0] - light[1]) ** 2).mean() / (light[1] ** 2).mean()), light[0].mean() / light[1].mean(), found[..., 3].mean()
 
 
-def draw(rows, file):
+def levels(points, radius, pixels, truth):
+    """Share of the strands that a level draws, and its error."""
+    rows, covered = [], covered_pixels(points, radius, pixels)
+    for share in (1, 1 / 2, 1 / 4, 1 / 8, 1 / 16):
+        # Levels go in steps of the fourth root of 2; bounds of drawn hair are somewhat larger.
+        image, seconds, strands = drawn_and_timed(points, (radius, radius), pixels, 1.15 * covered / share if share < 1 else 0)
+        error, light, coverage = compared(image, truth)
+        rows.append((strands / len(points), error))
+        print(f"a level     1/{len(points) / strands:<4.1f} {error:15.4f} {light:9.3f} {coverage:8.4f}   {seconds:.2f} s", flush=True)
+    return rows[1:]
+
+
+def dolly(points, radius, pixels):
+    """What a step of a hundredth away changes, relative mean squared: at most and in the middle, by a level of detail and by all strands."""
+    far, full_px = 1 + 0.01 * numpy.arange(6), 6 * covered_pixels(points, radius, pixels)
+    for name, full in (("a level", full_px), ("all", 0)):
+        seen = [picture(points, (radius, radius), pixels, full, farther) for farther in far]
+        steps = [compared(after, before)[0] for before, after in zip(seen, seen[1:])]
+        print(f"a step away, {name:8s} in the middle {numpy.median(steps):.4f}, at most {max(steps):.4f}", flush=True)
+
+
+def draw(rows, of_levels, file):
     import matplotlib
     matplotlib.use("agg")
     from matplotlib import pyplot
@@ -62,7 +119,9 @@ def draw(rows, file):
         axes.plot(*zip(*at), marker, color=color, linestyle="-", markerfacecolor="none", markersize=4, linewidth=1)
         aside = {"half of them": 4, "all strands": -4}.get(name, 0)
         axes.annotate(name, at[0], xytext=(-4, aside), textcoords="offset points", color=color, fontsize=7, ha="right", va="center")
-    axes.plot([1 / 16], [0.014], "*", color="#555555")
+    axes.plot(*zip(*of_levels), "*-", color="#111111", markersize=5, linewidth=1.2)
+    axes.annotate("level of detail", of_levels[-1], xytext=(-6, 0), textcoords="offset points", color="#111111", fontsize=7, ha="right", va="center")
+    axes.plot([1 / 16], [0.014], "P", color="#555555")
     axes.annotate("goal", (1 / 16, 0.014), xytext=(-5, 0), textcoords="offset points", fontsize=7, color="#555555", ha="right", va="center")
     axes.set(xscale="log", yscale="log", xlabel="share of the segments", ylabel="relative mean squared error", xlim=(1 / 48, 0.7))
     axes.set_xticks([1 / 32, 1 / 16, 1 / 8, 1 / 4, 1 / 2], ["1/32", "1/16", "1/8", "1/4", "1/2"])
@@ -77,7 +136,7 @@ def main():
     parser.add_argument("--density", type=float, default=180000)
     parser.add_argument("--pixels", type=int, default=128)
     parser.add_argument("--levels", action="store_true")
-    parser.add_argument("--figure")
+    parser.add_argument("--figure", help="with --levels")
     options = parser.parse_args()
     hair = cuticle.load_groom(options.groom, metres_per_unit=1) if options.groom else cuticle.grow({"schema_version": 1, "strands": {"density": options.density, "vertices": 32}})
     points, radius = hair.positions.reshape(len(hair), -1, 3), float(hair.radii.mean())
@@ -92,13 +151,13 @@ def main():
         kept = thin.shape[0] * (thin.shape[1] - 1) / (points.shape[0] * (points.shape[1] - 1))
         rows.append((strands, kept / strands, error))
         print(f"1/{1 / strands:<5.0f}  1/{1 / segments:<6.0f}  1/{1 / kept:<4.1f} {error:11.4f} {light:9.3f} {coverage:8.4f}", flush=True)
-    for full_px in (3e5, 6e5, 2.4e6) if options.levels else ():
-        error, light, coverage = compared(picture(points, (radius, radius), options.pixels, full_px), truth)
-        print(f"full_px {full_px:<12.0f} {error:15.4f} {light:9.3f} {coverage:8.4f}", flush=True)
+    of_levels = levels(points, radius, options.pixels, truth) if options.levels else []
+    if options.levels:
+        dolly(points, radius, options.pixels)
     aside = points + [2 * radius / PIXELS_OF_A_STRAND / 3, 0, 0]
     print("a third of a pixel aside    {:11.4f} {:9.3f} {:8.4f}".format(*compared(picture(aside, (radius, radius), options.pixels), truth)))
     if options.figure:
-        draw(rows, options.figure)
+        draw(rows, of_levels, options.figure)
 
 
 if __name__ == "__main__":

@@ -95,5 +95,15 @@ INSTANTIATE_TEST_SUITE_P(Methods, Sight, testing::Values(k_quads, k_lines, k_til
   return tested.param == k_quads ? "quads" : tested.param == k_lines ? "lines" : "tiles";
 });
 
+// A level of detail looks shadows up for the strands that it draws alone.
+TEST(Sight, OfALevelOfDetail_LooksAtTheStrandsThatAreDrawn) {
+  constexpr std::string_view level = R"("passes": {"tile_lists": {"full_px": 10000}})";
+  const FrameResult frame = frame_of(*runner({k_light, k_shadow, k_tiles, k_half, level}), 0);
+  int count = 0, all = 0;
+  for (const std::string& note : frame.notes) std::sscanf(note.c_str(), "strands_in_sight: %d of %d", &count, &all);
+  EXPECT_EQ(all, 74);  // 500 / 2^(11/4): the hair covers between a seventh and an eighth of so many pixels
+  EXPECT_LT(count, all);
+}
+
 }  // namespace
 }  // namespace cuticle::plan::culling_gpu_test

@@ -8,19 +8,13 @@
 #include <glm/geometric.hpp>
 
 #include "plan/fitted_head.h"
-#include "render/passes/lines/lines.h"
-#include "render/passes/quads/quads.h"
-#include "render/passes/surface_shadow/surface_shadow.h"
-#include "render/passes/tile_lists/tile_lists.h"
 #include "strands/formats/formats.h"
 #include "strands/growing/root_rules.glslh"
-#include "strands/lod/lod.h"
 
 namespace cuticle::plan {
 
 namespace {
 
-constexpr std::uint64_t k_order_seed = 20050401;
 constexpr double k_max_radius = 5e-4;  // metres
 
 double fibre_radius(const scene::Scene& scene, const strands::Groom& groom) {
@@ -75,28 +69,6 @@ void add_followers(std::size_t wanted, StrandSet& set) {
     set.hairs.push_back({leader, near[leader][0], near[leader][1]});
     set.weights.push_back(follower_weights(std::uint32_t(k - own + 1)));
   }
-}
-
-/// Whether a prefix of the strands may stand for all: for the eye (a pass's level of detail) or for the light.
-bool may_use_a_prefix(const scene::Scene& scene) {
-  return scene.caster_share < 1 || render::parameters_of<render::lines::Parameters>(scene.passes).full_px > 0 ||
-         render::parameters_of<render::quads::Parameters>(scene.passes).full_px > 0 ||
-         render::parameters_of<render::tile_lists::Parameters>(scene.passes).full_px > 0 ||
-         render::parameters_of<render::surface_shadow::Parameters>(scene.passes).hair_share < 1;
-}
-
-/// F10: a file's strands stand in an order of its own; grown ones are in one of chance already.
-void put_in_random_order(StrandSet& set) {
-  StrandSet in_order;
-  for (std::uint32_t strand : strands::random_order(set.hairs.size(), k_order_seed)) {
-    in_order.hairs.push_back(set.hairs[strand]);
-    in_order.weights.push_back(set.weights[strand]);
-  }
-  set.hairs = std::move(in_order.hairs);
-  set.weights = std::move(in_order.weights);
-  for (std::uint32_t strand : strands::random_order(set.placed.size(), k_order_seed))
-    in_order.placed.push_back(set.placed[strand]);
-  set.placed = std::move(in_order.placed);
 }
 
 /// Of a strand's length, per vertex; even where it has none.
@@ -184,7 +156,6 @@ void place_strands(const scene::Scene& scene, std::span<const strands::FollowHai
   for (const strands::PlacedStrand& placed : beside)
     set.follow_reach =
         std::max(set.follow_reach, glm::length(placed.offset) * (1 + std::max(0.0f, placed.tip_separation)));
-  if (may_use_a_prefix(scene)) put_in_random_order(set);
   set_radii(scene, has_radii, set);
 }
 

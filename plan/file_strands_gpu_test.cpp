@@ -93,6 +93,24 @@ TEST(StrandsOfAFile, WithSegmentsCutIntoParts_KeepTheVerticesOfTheFile) {
   EXPECT_EQ(drawn.radii, groom.radii);
 }
 
+// A running scene that is given a level of detail draws what one that was opened with it does: the first strands of a
+// file may all lie on one side.
+TEST(StrandsOfAFile, OfASceneThatIsGivenALevelOfDetail_AreSpreadOverAll) {
+  const std::string path = written(arcs(200, {9}, 40e-6f), "level.npz");
+  const auto scene = [&](double full_px) {
+    return *scene::parse_scene(
+        fmt::format(R"({{"schema_version": 1, {}, {}, {}, "passes": {{"tile_lists": {{"full_px": {}}}}}}})",
+                    of_file(path), k_tiles, k_view, full_px),
+        "/", "test", plan::catalogue());
+  };
+  const auto opened = *FrameRunner::create(device(), scene(50000), silent_progress());
+  const auto changed = *FrameRunner::create(device(), scene(0), silent_progress());
+  const Image all = frame_of(*changed, 0).color;
+  ASSERT_TRUE(changed->change(scene(50000), silent_progress()));
+  EXPECT_EQ(frame_of(*changed, 0).color.pixels, frame_of(*opened, 0).color.pixels);
+  EXPECT_NE(frame_of(*changed, 0).color.pixels, all.pixels);
+}
+
 TEST(StrandsOfAFile, ThatAsksForStrandsBetween_AreSmoothedAndAsManyAsAsked) {
   const std::string path = written(arcs(37, {9}, 40e-6f), "even.npz");
   const strands::Groom drawn = drawn_by(

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <utility>
 
 #include <fmt/core.h>
@@ -13,6 +14,7 @@
 #include "plan/hair_in_view.h"
 #include "plan/picture_gpu.h"
 #include "plan/strand_motion_gpu.h"
+#include "plan/strand_order.h"
 #include "plan/told_strands.h"
 #include "plan/traced_frame.h"
 #include "render/pass_gpu.h"
@@ -124,14 +126,24 @@ struct FrameRunner::Impl {
     const bool draws = other_passes || next.material != scene.material;
     scene::Scene scene_before = std::exchange(scene, next);
     leave_out_missing_head();
+    const std::optional<StrandSet> set_before = put_in_order();
     Plan plan_before = std::exchange(plan, planned());
     const bool keeps_picture = picture && draws && !other_passes && !moves && has_same_passes(plan, plan_before);
     Result<void> made = keeps_picture ? take_parameters(progress) : make(moves, draws && scene.outputs.color, progress);
     if (made) return made;
     scene = std::move(scene_before);
     plan = std::move(plan_before);
+    if (set_before) set = *set_before;
     if (keeps_picture) CUTICLE_TRY(make(false, true, progress));
     return made;
+  }
+
+  /// The strands as they were, where the scene asks for another order.
+  std::optional<StrandSet> put_in_order() {
+    if (set.is_spread || !may_use_a_prefix(scene)) return std::nullopt;
+    std::optional<StrandSet> before = set;
+    put_in_spread_order(set);
+    return before;
   }
 
   /// Of the scene's model, by the picture as it is where its passes can.

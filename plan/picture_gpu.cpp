@@ -210,7 +210,7 @@ std::uint32_t Picture::strands_of_level() const {
   return render::visibility::drawn_part(resources_, resources_.get<render::StrandDraw>().full_px).strands;
 }
 
-/// H11: shadows cast by a prefix of the strands drawn, which are in random order, and received by all. A level of
+/// H11: shadows cast by a prefix of the strands drawn, which is spread over all, and received by all. A level of
 /// detail that draws a share of them lets the root of that share cast: strands that stand for n leave out the shadow
 /// that these would cast on each other, so that hair far away would be too bright.
 shadows::GpuStrands Picture::casters() const {

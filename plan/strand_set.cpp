@@ -10,6 +10,7 @@
 #include "plan/file_strands.h"
 #include "plan/fins.h"
 #include "plan/plan.h"
+#include "plan/strand_order.h"
 #include "sim/colliders/distance_field.h"
 #include "strands/binding/binding.h"
 #include "strands/formats/formats.h"
@@ -222,6 +223,7 @@ Result<StrandSet> build_strand_set(const scene::Scene& scene) {
   set.colliders.insert(set.colliders.end(), scene.colliders.begin(), scene.colliders.end());
   set.boxes = scene.boxes;
   CUTICLE_TRY(add_baked_and_moving(scene, set));
+  if (may_use_a_prefix(scene)) put_in_spread_order(set);
   cut_segments(scene, set);
   CUTICLE_TRY(limit(scene, set));
   return set;

@@ -25,6 +25,7 @@ struct StrandSet {
   /// A file's strands as they are, and the follow hairs beside them; what is drawn where the scene draws them as given,
   /// with the control hairs' radii. Empty: hair of no file.
   std::vector<strands::PlacedStrand> placed;
+  bool is_spread = false;           ///< each prefix of hairs and placed is spread over them (put_in_spread_order)
   std::uint32_t segment_parts = 1;  ///< of a segment of these: light is found at the ends of each part
   float follow_reach = 0;           ///< how far from its guide a follow hair may lie, metres
   strands::Mesh head, scalp;        ///< drawn; empty where the scene has none

@@ -19,6 +19,7 @@ DrawnPart drawn_part(const Resources& resources, double full_px, bool whole_segm
   const double share = strands::drawn_share<double>(covered_px, full_px, k_least_share);
   const double steps = std::floor(4 * std::log2(1 / share));
   part.width = std::exp2(steps / 4);
+  part.opacity = strands::level_opacity<double>(1 / part.width);
   part.strands = strands::drawn_strands(part.strands, float(1 / part.width));
   part.segments = std::uint32_t(strands::drawn_vertices<double>(size, 1 / part.width)) - 1;
   return part;

@@ -4,16 +4,7 @@
 
 namespace cuticle::strands {
 
-enum class Chance : std::uint64_t {
-  length = 1,
-  clump = 2,
-  root = 3,
-  bun = 4,
-  lock = 5,
-  level_of_detail = 6,
-  follow = 7,
-  shaping = 16
-};
+enum class Chance : std::uint64_t { length = 1, clump = 2, root = 3, bun = 4, lock = 5, follow = 7, shaping = 16 };
 
 /// `index` below 2^48.
 inline RandomStream random_stream(std::uint64_t seed, Chance purpose, std::uint64_t index) {

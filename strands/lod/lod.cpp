@@ -9,9 +9,8 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
-#include "strands/growing/random.h"
-#include "strands/spline/smooth.h"
 #include "strands/lod/lod.glslh"
+#include "strands/spline/smooth.h"
 
 namespace cuticle::strands {
 
@@ -87,14 +86,6 @@ class CoverageGrid {
 };
 
 }  // namespace
-
-std::vector<std::uint32_t> random_order(std::size_t count, std::uint64_t seed) {
-  std::vector<std::uint64_t> keys(count);
-  for (std::size_t s = 0; s < count; ++s)
-    keys[s] = (std::uint64_t(random_stream(seed, Chance::level_of_detail, s).next_word()) << 32) | s;
-  std::sort(keys.begin(), keys.end());
-  return {keys.begin(), keys.end()};  // the low words
-}
 
 Groom selected(const Groom& groom, const std::vector<std::uint32_t>& strands) {
   Groom result;

@@ -1,6 +1,6 @@
 #pragma once
-// F10: level of detail. Strands stand in random order; a prefix in proportion to screen coverage is drawn, as wide as
-// to cover the area of all, with fewer vertices.
+// F10: level of detail. Strands stand in an order of which each prefix is spread over all (spread_order.h); a prefix in
+// proportion to screen coverage is drawn, as wide as to cover the area of all, with fewer vertices.
 #include <cstdint>
 #include <vector>
 
@@ -8,9 +8,6 @@
 #include "strands/groom.h"
 
 namespace cuticle::strands {
-
-/// 0 .. count - 1 in an order of chance: each prefix is a fair sample. The same seed gives the same order.
-std::vector<std::uint32_t> random_order(std::size_t count, std::uint64_t seed);
 
 /// The strands named, in that order, with all that belongs to them.
 Groom selected(const Groom& groom, const std::vector<std::uint32_t>& strands);
@@ -25,7 +22,7 @@ struct LevelOfDetail {
 /// picture where the camera stands within them.
 double covered_pixels(const Bounds& bounds, const Camera& camera);
 
-/// The level at which a groom in random order is drawn where it covers `covered_px` pixels: in full from `full_px` on,
+/// The level at which a groom in spread order is drawn where it covers `covered_px` pixels: in full from `full_px` on,
 /// at least the share `least` of it. The width makes up for the area (length x width) of the strands that are left out,
 /// exactly. Strands have equal vertex counts. `full_px` > 0, 0 < `least` <= 1.
 LevelOfDetail level_of_detail(const Groom& groom, double covered_px, double full_px, double least = 0.01);

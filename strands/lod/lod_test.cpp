@@ -1,35 +1,41 @@
-// F10: random order, prefix by coverage, widths that keep the area, fewer vertices; error against the full groom.
+// F10: prefix by coverage, widths that keep the area, fewer vertices; error against the full groom.
+#include <algorithm>
 #include <cmath>
-#include <set>
+#include <numeric>
+#include <random>
 
 #include <gtest/gtest.h>
 
 #include "strands/lod/lod.h"
+#include "strands/lod/spread_order.h"
 #include "tests/support/synthetic_grooms.h"
 
 namespace cuticle::strands::lod_test {
 namespace {
 
-/// A coat whose strands stand in random order.
+const Groom& coat_as_it_grew() {
+  static const Groom groom = tests::coat(4000, 32, 0.05, 4e-5f, 3);
+  return groom;
+}
+
+/// Its strands stand in spread order.
 const Groom& coat() {
+  static const Groom groom = selected(coat_as_it_grew(), spread_order(shapes_of(coat_as_it_grew())));
+  return groom;
+}
+
+/// They stand in an order by chance.
+const Groom& coat_by_chance() {
   static const Groom groom = [] {
-    const Groom ordered = tests::coat(4000, 32, 0.05, 4e-5f, 3);
-    return selected(ordered, random_order(ordered.strand_count(), 7));
+    std::vector<std::uint32_t> order(coat_as_it_grew().strand_count());
+    std::iota(order.begin(), order.end(), 0u);
+    std::shuffle(order.begin(), order.end(), std::mt19937(7));
+    return selected(coat_as_it_grew(), order);
   }();
   return groom;
 }
 
-TEST(Order, Random_IsAPermutationAndFair) {
-  const auto order = random_order(1000, 5);
-  EXPECT_EQ(std::set<std::uint32_t>(order.begin(), order.end()).size(), 1000u);
-  EXPECT_EQ(order, random_order(1000, 5));
-  EXPECT_NE(order, random_order(1000, 6));
-  double mean = 0;
-  for (std::size_t i = 0; i < 100; ++i) mean += order[i] / 100.0;
-  EXPECT_NEAR(mean, 499.5, 4 * 288.7 / 10);  // of 100 draws from 0 .. 999
-}
-
-TEST(Order, Selected_KeepsAllThatBelongsToAStrand) {
+TEST(Selected, Strands_KeepsAllThatBelongsToAStrand) {
   Groom groom;
   tests::add_strand(groom, {{0, 0, 0}, {0, 1, 0}}, 1);
   tests::add_strand(groom, {{5, 0, 0}, {5, 1, 0}, {5, 2, 0}}, 2);
@@ -75,15 +81,23 @@ TEST(Level, Width_ConservesTheArea) {
   }
 }
 
-TEST(Level, Error_FallsAsTheRootOfTheStrandsAndIsZeroInFull) {
+double error_of_cells(const Groom& groom, double share) {
+  return level_error(groom, at_level(groom, level_of_detail(groom, share, 1)), 24).cells;
+}
+
+TEST(Level, ErrorByChance_FallsAsTheRootOfTheStrandsAndIsZeroInFull) {
   EXPECT_LT(level_error(coat(), coat(), 24).cells, 1e-12);
-  const auto error = [](double share) {
-    return level_error(coat(), at_level(coat(), level_of_detail(coat(), share, 1)), 24).cells;
-  };
-  const double half = error(0.5), sixteenth = error(1.0 / 16);
-  std::printf("difference of cells: %.3f with 1/2, %.3f with 1/16 of the strands\n", half, sixteenth);
-  // Of N strands n are drawn: the error goes as sqrt(N / n - 1).
+  // Of N strands n are drawn: the error of a fair sample goes as sqrt(N / n - 1).
+  const double half = error_of_cells(coat_by_chance(), 0.5), sixteenth = error_of_cells(coat_by_chance(), 1.0 / 16);
   EXPECT_NEAR(sixteenth / half, std::sqrt(15.0), 0.8);
+}
+
+TEST(Level, ErrorInSpreadOrder_IsBelowThatByChance) {
+  for (double share : {0.5, 0.25, 1.0 / 16}) {
+    const double spread = error_of_cells(coat(), share), chance = error_of_cells(coat_by_chance(), share);
+    std::printf("difference of cells, %g of the strands: %.3f, by chance %.3f\n", share, spread, chance);
+    EXPECT_LT(spread, 0.82 * chance);
+  }
 }
 
 TEST(Coverage, OfABoxSeenFromAfar_FallsWithTheSquareOfTheDistance) {

@@ -10,7 +10,7 @@
 
 #include "shadows/method.h"
 #include "sim/solver.h"
-#include "strands/lod/lod.h"
+#include "strands/lod/spread_order.h"
 #include "viz/strands/states.h"
 
 namespace cuticle::viz {
@@ -77,9 +77,9 @@ std::vector<float> per_strand(const Groom& groom, const std::function<float(std:
   return values;
 }
 
-/// The share of the strands at which a level of detail keeps each: the order of strands::random_order.
+/// The share of the strands at which a level of detail keeps each: strands::spread_order.
 std::vector<float> levels(const Groom& groom) {
-  const auto order = strands::random_order(groom.strand_count(), 1);
+  const auto order = strands::spread_order(strands::shapes_of(groom));
   std::vector<float> rank(groom.strand_count());
   for (std::size_t k = 0; k < order.size(); ++k) rank[order[k]] = float(k + 1) / float(order.size());
   return per_strand(groom, [&](std::size_t s) { return rank[s]; });

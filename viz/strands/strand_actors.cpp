@@ -11,7 +11,7 @@
 #include <vtkProperty.h>
 #include <glm/geometric.hpp>
 
-#include "strands/lod/lod.h"
+#include "strands/lod/spread_order.h"
 #include "viz/strands/strands_view.h"
 
 namespace cuticle::viz {
@@ -48,7 +48,7 @@ void StrandsPicture::draw(Part& part) {
     if (actor) part.renderer->RemoveActor(actor);
   std::vector<glm::dvec3> colors;
   for (const float value : part.colored.values) colors.push_back(scale_.color(double(value)));
-  std::vector<std::uint32_t> order = strands::random_order(part.groom.strand_count(), 1);
+  std::vector<std::uint32_t> order = strands::spread_order(strands::shapes_of(part.groom));
   const double width = line_width(order.size()) * size_;
   part.all = flat_actor(lines_of(part.groom, order, colors), width);
   if (view_.density_cell > 0) part.all->GetProperty()->SetOpacity(0.12);  // the density is looked at

@@ -13,6 +13,7 @@
 #include "render/passes/bake_tables/bake_tables_gpu.h"
 #include "render/passes/lines/lines.h"
 #include "strands/lod/lod.h"
+#include "strands/lod/spread_order.h"
 
 namespace cuticle::render::lines_gpu_test {
 namespace {
@@ -194,7 +195,7 @@ TEST(Lines, PackedStrand_IsDrawnAsTheFullOne) {
   EXPECT_LT(worst, 1e-3) << worst;
 }
 
-/// Upright strands of four vertices, side by side in random order, seen from a distance; unlit.
+/// Upright strands side by side, in an order of which each prefix is spread over them; seen from a distance, unlit.
 class Fence {
  public:
   static constexpr int k_strands = 64, k_vertices = 16, k_pixels = 512;
@@ -206,7 +207,9 @@ class Fence {
 
   explicit Fence(double full_px) {
     std::vector<glm::vec4> vertices, tangents;
-    for (std::uint32_t place : strands::random_order(k_strands, 3))
+    std::vector<strands::StrandShape> places(k_strands);
+    for (int k = 0; k < k_strands; ++k) places[std::size_t(k)].fill({float(k), 0, 0});
+    for (std::uint32_t place : strands::spread_order(places))
       for (int i = 0; i < k_vertices; ++i) {
         vertices.emplace_back(0.02f * (float(place) - 31.5f), 0.06f * float(i) - 0.45f, 0, 1e-4f);
         tangents.emplace_back(0, 1, 0, float(i) / 15);

@@ -31,14 +31,14 @@ Push push_of(const Resources& resources) {
   const DrawnHair& hair = resources.get<DrawnHair>();
   const StrandDraw& draw = resources.get<StrandDraw>();
   const glm::dmat4 to_clip = projection_matrix(view.camera);
-  const double wider =
-      std::max(1.0, draw.width_factor) * visibility::drawn_part(resources, draw.full_px).width * view.strand_widening;
+  const visibility::DrawnPart part = visibility::drawn_part(resources, draw.full_px);
+  const double wider = std::max(1.0, draw.width_factor) * part.width / part.opacity * view.strand_widening;
   Push push{};
   push.world_to_clip = glm::mat4(to_clip * view_matrix(view.camera));
   push.side = glm::vec2(1 + 2 * k_margin + 2 * k_margin_px / glm::dvec2(view.camera.resolution));
   push.per_radius = glm::vec2(wider * glm::abs(glm::dvec2(to_clip[0][0], to_clip[1][1])));
   push.vertices_per_strand = hair.vertices_per_strand;
-  push.strand_count = hair.strands.vertex_count / std::max(1u, hair.vertices_per_strand);
+  push.strand_count = part.strands;
   return push;
 }
 

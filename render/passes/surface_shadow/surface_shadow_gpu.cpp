@@ -243,7 +243,7 @@ class SurfaceShadow : public GpuPass {
     commands.end_rendering();
   }
 
-  /// Strands are in random order, so that the first of them stand for all.
+  /// The first strands are spread over all, and stand for them.
   void draw_hair(gpu::Commands& commands, const Resources& resources) const {
     const DrawnHair& hair = resources.get<DrawnHair>();
     const shadows::GpuStrands& casters = hair.casters;

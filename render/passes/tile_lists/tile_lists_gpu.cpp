@@ -223,12 +223,13 @@ TilePush push_of(const Resources& resources, const TileLists& lists) {
   push.vertices_per_strand = hair.vertices_per_strand;
   push.capacity = lists.capacity;
   push.supersampling = targets.keep ? std::uint32_t(targets.supersampling) : 0;
-  push.pixel_scale = float(part.width * camera.resolution.y / (2 * std::tan(camera.vertical_field_of_view / 2)));
+  push.pixel_scale =
+      float(part.width / part.opacity * camera.resolution.y / (2 * std::tan(camera.vertical_field_of_view / 2)));
   push.inverse_near = float(1 / camera.near_plane);
   push.inverse_far = float(1 / camera.far_plane);
   push.tip_variation = float(parameters_of<lines::Parameters>(resources).tip_variation);
   push.kept_share = float(lists.kept_share);
-  push.opacity = float(parameters_of<tiles::Parameters>(resources).opacity);
+  push.opacity = float(parameters_of<tiles::Parameters>(resources).opacity * part.opacity);
   push.slices = parameters_of<tile_sort::Parameters>(resources).slices;
   return push;
 }

@@ -54,8 +54,12 @@ FineForm fine_form(const gpu::DeviceInfo& device, const Resources& resources) {
   const DrawnHair& hair = resources.get<DrawnHair>();
   const std::uint32_t parts = tile_lists::listed_parts(resources);
   const std::size_t records = records_of(hair.strands.vertex_count, parts);
-  return {spans, reads_records(device, resources.parameters, records), std::max(rows, 1u),
-          tile_lists::lanes_of(device, resources.parameters), parts};
+  return {spans,
+          reads_records(device, resources.parameters, records),
+          std::max(rows, 1u),
+          tile_lists::lanes_of(device, resources.parameters),
+          parts,
+          spans && parameters_of<tile_lists::Parameters>(resources).full_px > 0};
 }
 
 gpu::ShaderInterface fine_interface(const FineForm& form, std::uint32_t buffers, bool says_seen) {
@@ -63,7 +67,7 @@ gpu::ShaderInterface fine_interface(const FineForm& form, std::uint32_t buffers,
   return {buffers,
           0,
           sizeof(tile_lists::TilePush),
-          {says_seen ? 1u : 0u, form.rows, form.lanes, form.parts},
+          {says_seen ? 1u : 0u, form.rows, form.lanes, form.parts, form.lets_through ? 1u : 0u},
           {{0, first}, {1, gpu::TextureFormat::rgba16f}, {3, gpu::TextureFormat::r32u}}};
 }
 

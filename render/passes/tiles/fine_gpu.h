@@ -11,7 +11,8 @@ namespace cuticle::render::tiles {
 struct FineForm {
   bool spans = false, reads_records = false;
   std::uint32_t rows = 1, lanes = 8;
-  std::uint32_t parts = 1;  ///< tile_lists::listed_parts
+  std::uint32_t parts = 1;    ///< tile_lists::listed_parts
+  bool lets_through = false;  ///< by spans, of strands that a level of detail may let light through
 };
 /// The form of a picture whose strands are sorted, or blended by slices.
 FineForm fine_form(const gpu::DeviceInfo& device, const Resources& resources);

@@ -5,6 +5,7 @@
 #include "render/passes/tiles/blocks.glsl"
 
 layout(constant_id = 1) const int k_rows = 8;
+layout(constant_id = 4) const uint k_lets_through = 0u;  // 1: a level of detail may let strands let light through
 
 const float k_columns = 32.0;  // of a pixel: a word holds a row
 // Of what strands lean to one side or the other, the least that is left of the sum where a tile is drawn once.
@@ -72,6 +73,38 @@ void begin_drawing(uint drawing) {
   }
 }
 
+// Which samples of a row strands cover that let light through: of eight so many, by chance, for each strand and row
+// others, and for all segments of a strand the same, so that they cover no sample twice.
+uint covering[k_rows];
+
+uint scrambled(uint word) {
+  word = (word ^ (word >> 16)) * 0x7feb352du;
+  word = (word ^ (word >> 15)) * 0x846ca68bu;
+  return word ^ (word >> 16);
+}
+
+// From the last binary place to the first: a place that is one adds half of what is not covered, a zero takes half away.
+void choose_samples(uint vertex, float opacity) {
+  if (k_lets_through == 0u) return;
+  uint eighths = uint(8.0 * opacity + 0.5), random = scrambled(vertex / push.vertices_per_strand);
+  [[unroll]] for (int row = 0; row < k_rows; ++row) {
+    uint chosen = 0u;
+    [[unroll]] for (uint place = 0u; place < 3u; ++place) {
+      random = random * 1664525u + 1013904223u;
+      uint half_of_all = random ^ (random >> 16);
+      chosen = (eighths >> place & 1u) != 0u ? chosen | half_of_all : chosen & half_of_all;
+    }
+    covering[row] = eighths > 7u ? ~0u : chosen;
+  }
+}
+
+// In each pixel they lie elsewhere.
+uint covered_samples(int pixel, int row) {
+  if (k_lets_through == 0u) return ~0u;
+  const int step = (5 * pixel) % 31 + 1;
+  return covering[row] << step | covering[row] >> (32 - step);
+}
+
 // A row's samples from the first column to before the last.
 uint span_of(float first, float last) {
   int from = int(max(first, 0.0)), to = int(min(last, k_columns));
@@ -92,6 +125,7 @@ void draw(Prepared own, vec2 first_pixel) {
   vec2 per_row = vec2(-direction.y, direction.x) * inverse * (1.0 / float(k_rows));
   bool is_used = own.extent.y > 0.0;
   const float share = 1.0 / (k_columns * float(k_rows));
+  choose_samples(own.vertex, own.extent.y);
   [[unroll]] for (int k = 0; k < k_block; ++k) {
     vec2 from_first = vec2(in_block(k));
     float d = across + line.x * from_first.y - line.y * from_first.x, s = along + dot(line.xy, from_first);
@@ -107,7 +141,7 @@ void draw(Prepared own, vec2 first_pixel) {
       int row = k * k_rows + r;
       vec2 moved = float(r) * per_row + own_shift(k, r);
       vec2 first = least + moved, last = most + moved;
-      uint span = open & span_of(max(first.x, first.y), min(last.x, last.y));
+      uint span = open & covered_samples(pixel_of(k), r) & span_of(max(first.x, first.y), min(last.x, last.y));
       fresh += bitCount(span & ~spans[row]);
       spans[row] |= span;
     }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "strands/lod/lod.h"
 #include "tests/support/device_bound.h"
 #include "tests/support/tile_passes.h"
 
@@ -65,6 +66,13 @@ TEST(TilesLanes, BySamples_LeaveTheSamePicture) {
 TEST(TilesLanes, ByAreas_LeaveTheSamePicture) {
   Drawing drawing = bundle(300);
   drawing.opacity = 0.4;
+  expect_the_same(drawing);
+}
+
+TEST(TilesLanes, OfALevelOfDetail_LeaveTheSamePicture) {
+  Drawing drawing = bundle(4000);
+  drawing.vertices_per_strand = 8;
+  drawing.full_px = 4 * strands::covered_pixels({{-4, -4, -1}, {4, 4, 1}}, drawing.camera());
   expect_the_same(drawing);
 }
 
