@@ -26,7 +26,7 @@ void describe(registry::Members& members, Parameters& p) {
           "memory of the tiles' lists; where it is too small, fewer and wider segments are drawn, and counted");
   members(p.full_px, "full_px", "px", 0, 1e9,
           "level of detail: pixels that the hair covers at which all of it is drawn; below, a share of the strands, "
-          "wider; 0: always all");
+          "wider, that let light through; 0: always all");
   members(p.lanes, "lanes", 0, 64,
           "invocations that draw a tile: 8, 32 or 64 (another number is the next of these below it, or 8); 0: as suits "
           "the device");

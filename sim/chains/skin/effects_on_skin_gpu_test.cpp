@@ -45,6 +45,10 @@ Both both(const char* solver, const strands::Groom& groom, const std::string& se
 std::string calm(std::string_view solver) { return solver == "rod" ? "sag_free=false,fibre_radius=3e-4" : ""; }
 std::string stiff(std::string_view solver) { return solver == "rod" ? calm(solver) : "damping=4,shape_stiffness=60"; }
 
+// Where loose links of exact meet, the CPU is .0003 m from the device with baseline instructions and .0011 m with AVX2
+// (CUTICLE_WIDEST_SET) after four frames; held so, .0001 m with both.
+std::string held(std::string_view solver) { return solver == "rod" ? calm(solver) : "damping=8,shape_stiffness=20"; }
+
 TEST_P(EffectsOnSkinKernel, Clumps_AreThoseOfTheCpu) {
   const strands::Groom groom = ring(40);
   Both of = both(GetParam(), groom, stiff(GetParam()), gravity_and_clumps("strands_per_clump=4,rate=10"));
@@ -64,8 +68,8 @@ TEST_P(EffectsOnSkinKernel, Clumps_AreThoseOfTheCpu) {
 
 TEST_P(EffectsOnSkinKernel, StrandsThatMeet_StayNearTheCpu) {
   const strands::Groom groom = ring(60);
-  Both of = both(GetParam(), groom, calm(GetParam()), gravity_and_interaction());
-  auto without = make_solver(GetParam(), groom, calm(GetParam()), gravity());
+  Both of = both(GetParam(), groom, held(GetParam()), gravity_and_interaction());
+  auto without = make_solver(GetParam(), groom, held(GetParam()), gravity());
   for (int frame = 0; frame < 4; ++frame) {
     const std::vector<glm::vec3> skinned = on_turning_roots(groom, frame / 30.0);
     of.advance(skinned, {.duration = 1.0 / 30});
@@ -74,7 +78,7 @@ TEST_P(EffectsOnSkinKernel, StrandsThatMeet_StayNearTheCpu) {
   const double met = worst_distance(of.cpu->state()->positions, without->state()->positions);
   std::printf("%s, strand against strand on a skin, 4 frames: CPU and GPU %.1e m apart, %.1e m from without\n",
               GetParam(), of.apart(), met);
-  EXPECT_LT(of.apart(), tests::bound_for(*device(), 7e-4, 2e-3));
+  EXPECT_LT(of.apart(), tests::bound_for(*device(), 3e-4, 2e-3));
   EXPECT_GT(met, 3e-3);
   EXPECT_EQ(of.kernel->state()->left_out, 0u);
 }
