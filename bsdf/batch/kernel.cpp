@@ -9,9 +9,7 @@
 #include "bsdf/batch/kernel.h"
 #include "bsdf/shared/directions.glslh"
 #include "core/flush_to_zero.h"
-
-#define CUTICLE_JOIN_NAMES(a, b) a##b
-#define CUTICLE_JOIN(a, b) CUTICLE_JOIN_NAMES(a, b)
+#include "core/join.h"
 
 namespace cuticle::bsdf::CUTICLE_BATCH_MODEL {
 namespace {

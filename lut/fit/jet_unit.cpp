@@ -4,16 +4,14 @@
 #define GLM_FORCE_XYZW_ONLY
 #include <ceres/jet.h>
 
+#include "core/join.h"
 #include "lut/fit/detail/jet_tangents.h"
 #include <model_of_jet.h>
 
 namespace cuticle::lut {
 
-#define CUTICLE_JET_PASTE(a, b) a##b
-#define CUTICLE_JET_FUNCTION(model) CUTICLE_JET_PASTE(jet_of_, model)
-
-void CUTICLE_JET_FUNCTION(CUTICLE_JET_MODEL)(const PackedTangents& packed, int quantity, int lobe, const double at[6],
-                                             RgbTangents& out) {
+void CUTICLE_JOIN(jet_of_, CUTICLE_JET_MODEL)(const PackedTangents& packed, int quantity, int lobe, const double at[6],
+                                              RgbTangents& out) {
   using Jet = ceres::Jet<double, k_jet_width>;
   using Gradient = Eigen::Matrix<double, k_jet_width, 1>;
   using bsdf::CUTICLE_JET_MODEL::Prepared;

@@ -1,11 +1,10 @@
 // Differences between strands by chance: the same for every way of drawing them.
 
-// A number in [0, 1) for a strand and a purpose: a bit mixer (multiply and shift), the same on every device.
+#include "render/randomness/mixed_bits.glsl"
+
+// A number in [0, 1) for a strand and a purpose.
 float mixed(uint strand, uint purpose) {
-  uint bits = strand * 0x9E3779B1u + purpose * 0x85EBCA77u;
-  bits = (bits ^ (bits >> 15)) * 0x2C1B3C6Du;
-  bits = (bits ^ (bits >> 12)) * 0x297A2D39u;
-  return float((bits ^ (bits >> 15)) >> 8) * (1.0 / 16777216.0);
+  return float(mixed_bits(strand * 0x9E3779B1u + purpose * 0x85EBCA77u) >> 8) * (1.0 / 16777216.0);
 }
 
 // Added to a strand's tangents.

@@ -3,6 +3,7 @@
 // sample. Rows lie across most strands of the tile, where spans are shortest and rows cross all of them. Where strands lie
 // in all directions (fur) some lie along the rows: such a tile is drawn three times, each with rows between the others'.
 #include "render/passes/tiles/blocks.glsl"
+#include "render/randomness/mixed_bits.glsl"
 
 layout(constant_id = 1) const int k_rows = 8;
 layout(constant_id = 4) const uint k_lets_through = 0u;  // 1: a level of detail may let strands let light through
@@ -77,16 +78,10 @@ void begin_drawing(uint drawing) {
 // others, and for all segments of a strand the same, so that they cover no sample twice.
 uint covering[k_rows];
 
-uint scrambled(uint word) {
-  word = (word ^ (word >> 16)) * 0x7feb352du;
-  word = (word ^ (word >> 15)) * 0x846ca68bu;
-  return word ^ (word >> 16);
-}
-
 // From the last binary place to the first: a place that is one adds half of what is not covered, a zero takes half away.
 void choose_samples(uint vertex, float opacity) {
   if (k_lets_through == 0u) return;
-  uint eighths = uint(8.0 * opacity + 0.5), random = scrambled(vertex / push.vertices_per_strand);
+  uint eighths = uint(8.0 * opacity + 0.5), random = mixed_bits(vertex / push.vertices_per_strand);
   [[unroll]] for (int row = 0; row < k_rows; ++row) {
     uint chosen = 0u;
     [[unroll]] for (uint place = 0u; place < 3u; ++place) {

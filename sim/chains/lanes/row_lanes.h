@@ -2,11 +2,9 @@
 // The rows of a block of strands in packs, for the units of one instruction set of the solvers of rigid links: those
 // are compiled several times with CUTICLE_BATCH, and no symbol may leave them, hence the unnamed namespace. `Real` is a
 // pack of as many strands' numbers as a register holds; a block is walked in so many parts.
+#include "core/join.h"
 #include "sim/chains/chain_rows.h"
 #include "sim/chains/lanes/pack.h"
-
-#define CUTICLE_JOIN_NAMES(a, b) a##b
-#define CUTICLE_JOIN(a, b) CUTICLE_JOIN_NAMES(a, b)
 
 namespace cuticle::sim::chains {
 namespace {
