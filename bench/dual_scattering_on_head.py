@@ -54,7 +54,7 @@ def light(scene, way, **passes):
 
 
 def far(drawn, truth):
-    settings = {"samples": 32, "bounces": 1}
+    settings = {"samples": 128, "bounces": 1}
     scene, true = (on_head(VIEWS["front"], LIGHTS[1], hair) for hair in (drawn, truth))
     once = light(true, "reference", reference=settings)
     for name, found in (("tiles", light(scene, "tiles")), ("paths", light(scene, "reference", reference=settings)),
