@@ -2,6 +2,8 @@
 // hundred): memory stays flat, nothing drifts, nothing becomes NaN, and frames do not take longer and longer.
 #include "tests/support/small_frames.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <ctime>
 #include <fstream>
@@ -50,7 +52,8 @@ std::size_t resident_bytes() {
 }
 
 struct Quarter {
-  double seconds = 0;  ///< of the processor
+  /// Of the processor: the quickest frame without a picture, and with one. Sums vary by half beside other programs.
+  std::array<double, 2> seconds{1e9, 1e9};
   std::size_t resident = 0, on_device = 0;
 };
 
@@ -73,7 +76,8 @@ TEST(Soak, ThousandsOfFramesWithEverythingOn_StayFlatFiniteAndAtTheirLength) {
       Quarter& quarter = quarters[std::size_t(4 * frame / count)];
       const std::clock_t begin = std::clock();
       const FrameResult result = runner.run(frame, {.render = frame % 8 == 0, .read_state = true}).value();
-      quarter.seconds += double(std::clock() - begin) / CLOCKS_PER_SEC;
+      double& quickest = quarter.seconds[frame % 8 == 0];
+      quickest = std::min(quickest, double(std::clock() - begin) / CLOCKS_PER_SEC);
       quarter.resident = resident_bytes();
       quarter.on_device = std::max(quarter.on_device, device()->allocated_bytes() - before);
       for (const glm::vec3& place : result.state.positions)
@@ -91,12 +95,13 @@ TEST(Soak, ThousandsOfFramesWithEverythingOn_StayFlatFiniteAndAtTheirLength) {
     }
   }
   for (const Quarter& quarter : quarters)
-    std::printf("%.2f s, %zu KiB resident, %zu KiB on the device\n", quarter.seconds, quarter.resident >> 10,
-                quarter.on_device >> 10);
+    std::printf("%.2f and %.2f ms, %zu KiB resident, %zu KiB on the device\n", 1e3 * quarter.seconds[0],
+                1e3 * quarter.seconds[1], quarter.resident >> 10, quarter.on_device >> 10);
   EXPECT_EQ(device()->allocated_bytes(), before) << "all is given back";
   EXPECT_LE(quarters[3].on_device, quarters[1].on_device * 1.01);
   EXPECT_LT(double(quarters[3].resident), 1.05 * double(quarters[1].resident) + 4e6);
-  EXPECT_LT(quarters[3].seconds, 1.5 * quarters[1].seconds) << "frames take longer and longer";
+  for (std::size_t kind : {0, 1})
+    EXPECT_LT(quarters[3].seconds[kind], 1.5 * quarters[1].seconds[kind]) << "frames take longer and longer";
 }
 
 }  // namespace

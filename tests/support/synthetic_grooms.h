@@ -65,7 +65,10 @@ inline strands::Groom coat(int count, int vertices, double length, float radius,
   for (int i = 0; i < count; ++i) {
     const double y = uniform(random), turn = 6.28318530717959 * uniform(random), r = std::sqrt(1 - y * y);
     const glm::dvec3 normal(r * std::cos(turn), y, r * std::sin(turn));
-    const glm::dvec3 lean{uniform(random) - 0.5, -uniform(random), uniform(random) - 0.5};  // in braces: in this order
+    glm::dvec3 lean;  // number by number: the order of a call's arguments is the compiler's
+    lean.z = uniform(random) - 0.5;
+    lean.y = -uniform(random);
+    lean.x = uniform(random) - 0.5;
     for (int v = 0; v < vertices; ++v) {
       const double t = double(v) / (vertices - 1);
       groom.positions.emplace_back(normal * (0.1 + length * t) + lean * (0.6 * length * t * t));
