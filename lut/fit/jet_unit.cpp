@@ -4,9 +4,9 @@
 #define GLM_FORCE_XYZW_ONLY
 #include <ceres/jet.h>
 
+#include <model_of_jet.h>
 #include "core/join.h"
 #include "lut/fit/detail/jet_tangents.h"
-#include <model_of_jet.h>
 
 namespace cuticle::lut {
 
