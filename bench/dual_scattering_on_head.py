@@ -3,7 +3,7 @@ scattering, with its corrections and without. Red, green, blue; `direct` over di
 
   PYTHONPATH=build/release/python python bench/dual_scattering_on_head.py [--drawn thick|thin] [--truth thick|thin] [--far]
 
-thick: 3,143 strands stand for 40,000 fibres, each as wide as thirteen; thin: about 40,000 strands, each a fibre, in the same locks.
+thick: 3,144 strands stand for 40,000 fibres, each as wide as thirteen; thin: about 40,000 strands, each a fibre, in as many locks.
 --far: of the front lit from behind alone, direct light by paths that take the mean over a fibre's width, as `tiles` does.
 """
 import argparse
@@ -85,6 +85,8 @@ def main():
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         hair = {"thick": specified(THICK, folder), "thin": specified(THIN, folder)}
+        for name, file in hair.items():
+            print(f"{name}: {len(cuticle.grow(json.loads(pathlib.Path(file).read_text())))} strands")
         (far if options.far else table)(hair[options.drawn], hair[options.truth])
 
 

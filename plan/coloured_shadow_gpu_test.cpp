@@ -168,7 +168,7 @@ void expect_agreement(const std::string& method, std::string_view more) {
   }
   std::printf("%s%s: at most %.2g apart\n", method.c_str(), std::string(more).c_str(), worst);
   // Measured: 1.4e-5, of deep_shadow; 1.3e-6 of the others. Where the end of one of deep_shadow's stretches hangs on
-  // the last digit, the two differ by as much as its error_bound allows: the coat of seed 7 by .0047.
+  // the last digit, the two differ by more, as its error_bound lets them: by .0047 with seed 7 in place of 5.
   EXPECT_LT(worst, tests::bound_for(*device(), 3e-5, 4e-4));
 }
 
