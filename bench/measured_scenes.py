@@ -36,7 +36,7 @@ GROOMS = {
 
 def grown(strands, radius, folder, settings=""):
     """A file of grown hair; made once for a folder."""
-    path = os.path.join(folder, "grown_" + (strands + settings).replace("=", "_").replace(",", "_") + ".npz")
+    path = os.path.join(folder, "grown_" + f"{strands},radius={radius:g}{settings}".replace("=", "_").replace(",", "_") + ".npz")
     if not os.path.exists(path):
         growing = f"radius={radius}" + ("," + settings if settings else "")
         subprocess.run([PROGRAM, "grow", "--strands", strands, "--set", growing, "--out", path], check=True,

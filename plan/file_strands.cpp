@@ -99,10 +99,12 @@ void widen_and_taper(double stands_for, double taper, strands::Groom& groom) {
 void set_radii(const scene::Scene& scene, bool has_radii, StrandSet& set) {
   set.taper = float(scene.groom.taper.value_or(has_radii ? 0.0 : 0.5));
   set.radius = drawn_radius(scene, set.control, set.hairs.size());
+  set.fibre_width = fibre_width(scene, set.control, set.hairs.size());
   set.opacity = crossing_opacity(scene, set.control, scene.groom.interpolate ? set.hairs.size() : set.placed.size());
   if (scene.groom.interpolate) return;
-  const double each = has_radii && scene.fibre_count == 0 ? 1 : fibres_each(scene, set.placed.size());
-  widen_and_taper(each, double(set.taper), set.control);
+  const bool are_fibres = has_radii && scene.fibre_count == 0;
+  set.fibre_width = are_fibres ? 1 : fibre_width(scene, set.control, set.placed.size());
+  widen_and_taper(are_fibres ? 1 : fibres_each(scene, set.placed.size()), double(set.taper), set.control);
   if (scene::draws_as_given(scene)) set.radius = *std::ranges::max_element(set.control.radii);
 }
 
@@ -137,6 +139,10 @@ double crossing_opacity(const scene::Scene& scene, const strands::Groom& control
   if (scene.fibre_count == 0) return 1;
   return std::min(
       1.0, fibre_radius(scene, control) * fibres_each(scene, strands) / double(drawn_radius(scene, control, strands)));
+}
+
+float fibre_width(const scene::Scene& scene, const strands::Groom& control, std::size_t strands) {
+  return std::min(1.0f, float(fibre_radius(scene, control)) / drawn_radius(scene, control, strands));
 }
 
 float drawn_radius(const scene::Scene& scene, const strands::Groom& control, std::size_t strands) {

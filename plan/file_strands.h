@@ -12,6 +12,9 @@ float drawn_radius(const scene::Scene& scene, const strands::Groom& control, std
 /// as many as it stands for. 1, but where `fibre_count` is below the number of strands.
 double crossing_opacity(const scene::Scene& scene, const strands::Groom& control, std::size_t strands);
 
+/// Width of a fibre as a share of that of each of so many drawn strands, which stand for the scene's fibres.
+float fibre_width(const scene::Scene& scene, const strands::Groom& control, std::size_t strands);
+
 /// What every strand's own hair is: itself.
 void draw_each_strand(StrandSet& set);
 

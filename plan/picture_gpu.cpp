@@ -223,6 +223,7 @@ shadows::GpuStrands Picture::casters() const {
   strands.segment_parts = hair.segment_parts;
   strands.segment_count = casting * (segments / hair.segment_parts);
   strands.caster_width = casting > 0 ? float(all) / float(casting) : 1;
+  strands.fibre_width = set_.fibre_width;
   strands.seen_from = resources_.get<render::FrameView>().camera.position;
   return strands;
 }

@@ -209,6 +209,7 @@ Result<StrandSet> build_strand_set(const scene::Scene& scene) {
     set.taper = float(scene.groom.taper.value_or(double(set.taper)));
     if (!scene::draws_as_given(scene)) {
       set.radius = drawn_radius(scene, set.control, set.hairs.size());
+      set.fibre_width = fibre_width(scene, set.control, set.hairs.size());
       set.opacity = crossing_opacity(scene, set.control, set.hairs.size());
     }
   } else {

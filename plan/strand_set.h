@@ -21,6 +21,7 @@ struct StrandSet {
   std::vector<glm::vec3> weights;                   ///< per drawn strand, sum 1
   float radius = strands::k_default_radius;         ///< of a drawn strand, metres: as wide as the fibres it stands for
   double opacity = 1;                               ///< of one crossing, unless the scene gives one
+  float fibre_width = 1;                            ///< of a fibre, as a share of that of the strand which stands for it
   float taper = 0.5f;                               ///< share of it that is gone at the tip
   /// A file's strands as they are, and the follow hairs beside them; what is drawn where the scene draws them as given,
   /// with the control hairs' radii. Empty: hair of no file.

@@ -168,10 +168,20 @@ TEST(StrandSet, FewDrawnStrands_AreAsWideAsTheFibresTheyStandFor) {
   scene.groom.radius = 4e-5;
   scene.fibre_count = 5000;
   EXPECT_NEAR(build_strand_set(scene)->radius, 2e-4, 1e-9);
+  EXPECT_NEAR(build_strand_set(scene)->fibre_width, 0.2, 1e-6);
   scene.fibre_count = 10;
   EXPECT_NEAR(build_strand_set(scene)->radius, 4e-5, 1e-9) << "never thinner than a fibre";
+  EXPECT_EQ(build_strand_set(scene)->fibre_width, 1);
   scene.fibre_count = 1e9;
   EXPECT_NEAR(build_strand_set(scene)->radius, 5e-4, 1e-9) << "at most a millimetre wide";
+  EXPECT_NEAR(build_strand_set(scene)->fibre_width, 0.08, 1e-6);
+}
+
+TEST(StrandSet, FileWithRadii_ItsStrandsAreFibresUnlessTheSceneCountsThem) {
+  scene::Scene scene = of_file(0);
+  EXPECT_EQ(build_strand_set(scene)->fibre_width, 1);
+  scene.fibre_count = 10.0 * double(build_strand_set(scene)->placed.size());
+  EXPECT_NEAR(build_strand_set(scene)->fibre_width, 0.1, 1e-6);
 }
 
 TEST(StrandSet, File_DrawsItsOwnStrandsFirstThenFollowers) {

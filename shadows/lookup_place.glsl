@@ -10,7 +10,7 @@ struct LookupPlace {
   float clearance;  // seen_clearance() there
   float power;   // seen_power() of a place that a viewer sees, on a strand that casts or not; else 1
 };
-/// Of a point of a fibre's axis, metres; `along` the fibre, or zero for a point that lies on none that casts.
+/// Of a point of a strand's axis, metres; `along` the strand, or zero for a point that lies on none that casts.
 LookupPlace lookup_place(vec3 on_axis, vec3 along, float radius) {
   const bool is_on_strand = dot(along, along) > 0.0;
   const bool has_viewer = (push.flags & k_seen) != 0u;
@@ -19,12 +19,12 @@ LookupPlace lookup_place(vec3 on_axis, vec3 along, float radius) {
   const float cosine = cosine_seen_from(eye - on_axis, way);
   if (has_viewer) place.power = seen_power(cosine);
   if (!is_on_strand) return place;
-  const float cast_radius = radius * push.caster_width;
-  place.held = half_crossing(along, way, cast_radius);
+  const float fibre_radius = radius * push.fibre_width;
+  place.held = half_crossing(along, way, fibre_radius * push.caster_width);
   if (!place.is_seen) return place;
   place.clearance = seen_clearance(cosine);
-  place.held *= fibre_clearance(along, eye - on_axis, way, cast_radius);
-  place.point += to_seen_surface(on_axis, along, eye, radius);
+  place.held *= fibre_clearance(along, eye - on_axis, way, fibre_radius * push.caster_width);
+  place.point += to_seen_surface(on_axis, along, eye, fibre_radius);
   return place;
 }
 

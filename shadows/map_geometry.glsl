@@ -12,7 +12,8 @@ layout(push_constant) uniform Push {
   uint count;                // of segments, texels or vertices
   uint flags;                // k_poisson and the method's own
   float pieces_per_step;     // of a segment, per depth step
-  float own[3];              // the method's own numbers
+  float own[2];              // the method's own numbers
+  float fibre_width;         // of the fibres that a strand stands for, as a share of its own
   float depth_offset;        // metres behind a point that fibres still count
   float caster_width;        // factor on the radii of segments
   float reach;               // of seen_by_light: 0 for a distant light

@@ -16,7 +16,8 @@ struct MapPush {
   float intervals, filter_texels, filter_radius, per_unit;
   std::uint32_t resolution, layers, count, flags;
   float pieces_per_step;
-  float own[3];
+  float own[2];
+  float fibre_width;
   float depth_offset;
   float caster_width;
   float reach;

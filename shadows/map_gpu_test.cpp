@@ -47,9 +47,11 @@ strands::Groom points() {
   return point_casters(tests::coat(300, 6, 0.03, 1e-4f, 9).positions, std::span(&radius, 1));
 }
 
-std::unique_ptr<GroomOnDevice> upload(const strands::Groom& hair, const std::optional<glm::vec3>& viewer) {
+std::unique_ptr<GroomOnDevice> upload(const strands::Groom& hair, const std::optional<glm::vec3>& viewer,
+                                      float fibre_width) {
   auto on_device = upload_groom(*device(), hair).value();
   on_device->strands.seen_from = viewer;
+  on_device->strands.fibre_width = fibre_width;
   return on_device;
 }
 struct Scene {
@@ -58,7 +60,8 @@ struct Scene {
   LightSource light;
   double alpha;
   std::optional<glm::vec3> viewer = {};
-  std::unique_ptr<GroomOnDevice> on_device = upload(hair, viewer);
+  float fibre_width = 1;
+  std::unique_ptr<GroomOnDevice> on_device = upload(hair, viewer, fibre_width);
   tests::VertexReceivers receivers = tests::vertex_receivers(hair);
 };
 std::span<Scene> scenes() {
@@ -71,7 +74,13 @@ std::span<Scene> scenes() {
        tests::coat(1500, 8, 0.03, 1e-4f, 5),
        {{}, glm::dvec3(0.1, 0.11, 0.03)},
        0.4,
-       glm::vec3(0.1f, 0.3f, -0.2f)}};
+       glm::vec3(0.1f, 0.3f, -0.2f)},
+      {"strands of many fibres",
+       tests::coat(200, 6, 0.03, 2e-3f, 6),
+       {{-0.5, 0.3, 1}},
+       1,
+       glm::vec3(0.2f, 0.1f, 0.3f),
+       0.1f}};
   return all;
 }
 
@@ -114,6 +123,7 @@ Comparison compare(const GpuMethod& gpu, const registry::ParameterValues& values
       comparison.different += frame.words[i][word] != expected[i][word];
     }
   Receivers receivers = scene.receivers.of(scene.hair);
+  receivers.fibre_width = scene.fibre_width;
   if (scene.viewer) receivers.seen_from = *scene.viewer;
   const auto cpu = method_of(gpu).evaluate(casters, receivers, values).value();
   for (std::size_t v = 0; v < cpu.values.size(); ++v) {

@@ -141,6 +141,7 @@ MapPush MapShadowGpu::push_for(const LightAxes& axes, const GpuStrands& strands)
                description_.flags | flags_of(settings, strands),
                description_.pieces_per_step,
                {},
+               strands.fibre_width,
                float(settings.depth_offset),
                strands.caster_width,
                axes.reach,

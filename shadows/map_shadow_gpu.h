@@ -69,7 +69,7 @@ struct MapDescription {
   std::uint32_t layers = 1;      ///< numbers a texel
   std::uint32_t flags = 0;       ///< the method's own, beside k_poisson_flag
   float pieces_per_step = 1;     ///< a steep segment is cut so that its pieces are at most 1 / this deep
-  std::vector<float> own;        ///< at most 3 numbers for its shaders
+  std::vector<float> own;        ///< at most 2 numbers for its shaders
   AfterDeposits after_deposits;  ///< null: nothing follows the table of deposits
   bool signed_sums = false;      ///< half of the sums' range is left to the sign
   bool in_world = false;         ///< the box is that of the world's axes, not of the light's

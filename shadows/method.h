@@ -45,6 +45,9 @@ struct Receivers {
   /// Where the viewer's rays met the fibres' surfaces, metres: `truth` starts there. One per point, or empty: the
   /// middle of the side that is seen, which is what methods look up.
   std::span<const glm::vec3> met = {};
+  /// Of the fibres that a point's strand stands for, as a share of the strand's width, 0 .. 1: what is left out is what
+  /// lies within such a fibre, not what lies within the strand (docs/conventions.md). `truth` knows strands alone.
+  double fibre_width = 1;
 };
 
 struct Cost {

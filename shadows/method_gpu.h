@@ -20,6 +20,7 @@ struct GpuStrands {
   /// segment_parts; 1 .. 64. segment_count counts those that cast.
   std::uint32_t segment_parts = 1;
   float caster_width = 1;                   ///< factor on the radii of segments that cast shadows (H11)
+  float fibre_width = 1;                    ///< Receivers::fibre_width
   std::optional<glm::vec3> seen_from = {};  ///< Receivers::seen_from
   /// A list of strands (strands/lod/strand_list_gpu.h) whose vertices receive shadow; null: all do. The transmittance
   /// of the others is left as it is.

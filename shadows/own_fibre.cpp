@@ -57,7 +57,7 @@ LookupPlace lookup_place(const Asked& asked, const glm::vec3& on_axis, const std
   if (!own) return place;
   const glm::vec3 along = own_along(asked.groom, *own);
   if (along == glm::vec3(0)) return place;  // a puff
-  const float radius = asked.groom.radii[own->vertex];
+  const float radius = asked.groom.radii[own->vertex] * float(asked.receivers.fibre_width);
   place.held = half_crossing(along, way, radius);
   place.is_seen = viewer.has_value();
   if (!place.is_seen) return place;

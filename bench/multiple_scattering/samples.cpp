@@ -2,6 +2,8 @@
 // multiple_scattering_samples SCENE FOLDER SAMPLES PER_PIXEL [METHOD[:NAME=VALUE,..] ...]. The scene's first light;
 // transmittance by its shadow method, and by those that are named, at the vertices, as pictures have
 // it. Writes the files that fit.cpp reads (README.md); with 0 samples about.f64 alone.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -56,18 +58,27 @@ Shadow shadow_from(const std::string& text) {
   return {method, must(registry::parse_assignments(method->entry.parameters, set))};
 }
 
-std::vector<float> at_vertices(const TracedScene& traced, const Shadow& shadow) {
+/// Values of some vertices, at their places among all.
+std::vector<float> placed(const strands::Groom& hair, std::span<const std::uint32_t> vertices,
+                          std::span<const float> values) {
+  std::vector<float> of_all(hair.positions.size(), 1.f);
+  for (std::size_t i = 0; i < vertices.size(); ++i) of_all[vertices[i]] = values[i];
+  return of_all;
+}
+
+std::vector<float> at_vertices(const TracedScene& traced, const Shadow& shadow,
+                               std::span<const std::uint32_t> vertices) {
   const strands::Groom& hair = traced.hair;
-  std::vector<std::uint32_t> strand_of, vertices;
-  for (std::uint32_t s = 0; s < hair.strand_count(); ++s)
-    for (std::uint32_t v = hair.offsets[s]; v < hair.offsets[s + 1]; ++v) {
-      strand_of.push_back(s);
-      vertices.push_back(v);
-    }
+  std::vector<std::uint32_t> strand_of;
+  std::vector<glm::vec3> points;
+  for (const std::uint32_t v : vertices) {
+    strand_of.push_back(std::uint32_t(std::ranges::upper_bound(hair.offsets, v) - hair.offsets.begin() - 1));
+    points.push_back(hair.positions[v]);
+  }
   const shadows::Receivers receivers{
-      .points = hair.positions, .strands = strand_of, .vertices = vertices, .seen_from = traced.camera.position};
+      .points = points, .strands = strand_of, .vertices = vertices, .seen_from = traced.camera.position};
   const shadows::Casters casters{.groom = &hair, .alpha = 1, .to_light = traced.lights[0].to_light};
-  return must(shadow.method->evaluate(casters, receivers, shadow.values)).values;
+  return placed(hair, vertices, must(shadow.method->evaluate(casters, receivers, shadow.values)).values);
 }
 
 std::vector<strands::Mesh> meshes_of(const TracedScene& traced) {
@@ -77,24 +88,29 @@ std::vector<strands::Mesh> meshes_of(const TracedScene& traced) {
 }
 
 /// 1 where surfaces let the light pass, as the pass surface_shadow has it with its bias of 4 mm.
-std::vector<float> past_surfaces(const TracedScene& traced) {
+std::vector<float> past_surfaces(const TracedScene& traced, std::span<const std::uint32_t> vertices) {
   constexpr double bias = 4e-3;
   const glm::dvec3 to_light = traced.lights[0].to_light;
   const auto surfaces = must(strands::RayScene::build({}, meshes_of(traced)));
   std::vector<float> past;
-  for (const glm::vec3& vertex : traced.hair.positions)
-    past.push_back(surfaces->is_blocked(glm::dvec3(vertex) + bias * to_light, to_light, 1e3) ? 0.f : 1.f);
-  return past;
+  for (const std::uint32_t v : vertices) {
+    const glm::dvec3 from = glm::dvec3(traced.hair.positions[v]) + bias * to_light;
+    past.push_back(surfaces->is_blocked(from, to_light, 1e3) ? 0.f : 1.f);
+  }
+  return placed(traced.hair, vertices, past);
 }
 
-/// Rows of pixel, sin theta_i, sin theta_o, cos phi, share, then for either vertex what passes surfaces and the
-/// transmittance by each method: one for each ray of a pixel that meets hair.
-std::vector<float> seen_by_row(const TracedScene& traced, const strands::RayScene& rays,
-                               std::span<const glm::vec3> tangents, std::span<const std::vector<float>> transmittances,
-                               int y, int per_pixel) {
+/// A ray of a pixel that meets hair, between a vertex and the next.
+struct SeenRay {
+  std::uint32_t vertex = 0;
+  std::array<float, 5> numbers;  ///< pixel, sin theta_i, sin theta_o, cos phi, share of the way to the next vertex
+};
+
+std::vector<SeenRay> rays_of_row(const TracedScene& traced, const strands::RayScene& rays,
+                                 std::span<const glm::vec3> tangents, int y, int per_pixel) {
   const render::reference::CameraRays camera(traced.camera);
   RandomStream random{std::uint64_t(y) + 1};
-  std::vector<float> seen;
+  std::vector<SeenRay> seen;
   for (int k = 0; k < traced.camera.resolution.x * per_pixel; ++k) {
     const int x = k / per_pixel;
     const double right = random.next_unit(), down = random.next_unit();
@@ -105,23 +121,37 @@ std::vector<float> seen_by_row(const TracedScene& traced, const strands::RayScen
     const glm::vec3 eye = point.local(-ray.direction), light = point.local(traced.lights[0].to_light);
     const float across = std::hypot(light.y, light.z) * std::hypot(eye.y, eye.z);
     const float cos_phi = across > 0 ? (light.y * eye.y + light.z * eye.z) / across : 0;
-    seen.insert(seen.end(), {float(y * traced.camera.resolution.x + x), light.x, eye.x, cos_phi, float(point.share)});
-    for (const auto& at : transmittances) seen.insert(seen.end(), {at[hit.vertex], at[hit.vertex + 1]});
+    seen.push_back({std::uint32_t(hit.vertex),
+                    {float(y * traced.camera.resolution.x + x), light.x, eye.x, cos_phi, float(point.share)}});
   }
   return seen;
 }
 
-std::vector<float> seen_by_camera(const TracedScene& traced, std::span<const Shadow> shadows, int per_pixel) {
+std::vector<SeenRay> rays_of_camera(const TracedScene& traced, int per_pixel) {
   const auto tangents = strands::tangents(traced.hair);
   const auto rays = must(strands::RayScene::build(traced.hair, meshes_of(traced)));
-  std::vector<std::vector<float>> transmittances{past_surfaces(traced)};
-  for (const Shadow& shadow : shadows) transmittances.push_back(at_vertices(traced, shadow));
-  std::vector<std::vector<float>> rows(static_cast<std::size_t>(traced.camera.resolution.y));
-  tbb::parallel_for(std::size_t(0), rows.size(), [&](std::size_t y) {
-    rows[y] = seen_by_row(traced, *rays, tangents, transmittances, int(y), per_pixel);
-  });
-  std::vector<float> seen;
+  std::vector<std::vector<SeenRay>> rows(static_cast<std::size_t>(traced.camera.resolution.y));
+  tbb::parallel_for(std::size_t(0), rows.size(),
+                    [&](std::size_t y) { rows[y] = rays_of_row(traced, *rays, tangents, int(y), per_pixel); });
+  std::vector<SeenRay> seen;
   for (const auto& row : rows) seen.insert(seen.end(), row.begin(), row.end());
+  return seen;
+}
+
+/// Rows of a ray's numbers, then for either vertex what passes surfaces and the transmittance by each method.
+std::vector<float> seen_by_camera(const TracedScene& traced, std::span<const Shadow> shadows, int per_pixel) {
+  const std::vector<SeenRay> rays = rays_of_camera(traced, per_pixel);
+  std::vector<std::uint32_t> vertices;
+  for (const SeenRay& ray : rays) vertices.insert(vertices.end(), {ray.vertex, ray.vertex + 1});
+  std::ranges::sort(vertices);
+  vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
+  std::vector<std::vector<float>> transmittances{past_surfaces(traced, vertices)};
+  for (const Shadow& shadow : shadows) transmittances.push_back(at_vertices(traced, shadow, vertices));
+  std::vector<float> seen;
+  for (const SeenRay& ray : rays) {
+    seen.insert(seen.end(), ray.numbers.begin(), ray.numbers.end());
+    for (const auto& at : transmittances) seen.insert(seen.end(), {at[ray.vertex], at[ray.vertex + 1]});
+  }
   return seen;
 }
 

@@ -8,6 +8,8 @@ Grooms from sparse to dense, lights from all sides, views from all around and co
 """
 import argparse
 import concurrent.futures
+import fnmatch
+import json
 import math
 import os
 import random
@@ -29,7 +31,8 @@ GROWN = {"D4": ("density=4e5", 8e-5), "D2": ("density=2e5", 8e-5), "D1": ("densi
 # Transmittance is also that of the maps that the scenes of the gallery and the ladder have.
 SHADOWS = ["deep_opacity:layers=16,resolution=320,filter_radius_mm=1.5", "deep_opacity:layers=8,resolution=512,filter_texels=1"]
 LADDER = os.path.abspath(os.path.join(os.path.dirname(__file__), "../../scenes/ladder/blond_strands.json"))
-ON_HEAD = "h"  # in names of cases: with the head that the hair grows on
+ON_HEAD = "h"  # in names of cases: with the head that the hair grows on, every strand a fibre
+FIBRE_RADIUS = 4e-5
 FILES = {"PT": "ponytail", "TH": "testhair", "SI": "sintel"}
 CHOSEN = [("D4", KEY, BLOND), ("D4", BACK, UNEVEN), ("D4", SIDE, BROWN), ("D4", TOP, UNEVEN), ("D1", KEY, UNEVEN),
           ("D1", BACK, BLOND), ("D1", SIDE, BLOND), ("D05", KEY, BLOND), ("D05", TOP, UNEVEN), ("D05", BACK, BROWN),
@@ -101,26 +104,53 @@ def cases():
         yield f"held_b{k:02d}_{case[0]}", 96, 4, case
 
 
-def groom_of(name, out):
+def with_strands(specification, times):
+    """A file's hair with so many times as many strands in as many locks."""
+    with open(specification) as file:
+        hair = json.load(file)
+    hair["strands"]["density"] *= times
+    clumping = hair.get("shaping", {}).get("clumping", {})
+    if "strands_per_lock" in clumping:
+        clumping["strands_per_lock"] = round(clumping["strands_per_lock"] * times)
+    return hair
+
+
+def groom_of(name, out, fibres):
+    """`fibres`: with as many strands as fibres of FIBRE_RADIUS cover the same."""
     settings, radius = GROWN[name]
+    times = radius / FIBRE_RADIUS if fibres else 1
     if "=" in settings:
-        path = measured_scenes.grown(settings, radius, out)
+        key, density = settings.split("=")
+        path = measured_scenes.grown(f"{key}={float(density) * times:g}", radius / times, out)
     else:
-        path = os.path.join(out, f"{settings}.npz")
-        looks = os.path.join(os.path.dirname(__file__), "../../scenes/looks", f"{settings}.json")
+        path = os.path.join(out, f"{settings}_{times:g}.npz")
         if not os.path.exists(path):
+            looks = os.path.join(out, f"{settings}_{times:g}.json")
+            with open(looks, "w") as file:
+                json.dump(with_strands(os.path.join(os.path.dirname(__file__), "../../scenes/looks", f"{settings}.json"), times), file)
             subprocess.run([measured_scenes.PROGRAM, "grow", looks, "--out", path], check=True, capture_output=True)
-    return {"file": os.path.abspath(path), "metres_per_unit": 1, "radius_m": radius}
+    return {"file": os.path.abspath(path), "metres_per_unit": 1, "radius_m": radius / times}
 
 
-def scene_of(case, size, out):
+def ladder_of(out, fibres):
+    """The ladder's blond hair, 3,144 strands or as many as the 40,000 fibres for which they stand."""
+    if not fibres:
+        return LADDER
+    path = os.path.join(out, "ladder_of_fibres.json")
+    if not os.path.exists(path):
+        with open(path, "w") as file:
+            json.dump(with_strands(LADDER, 40000 / 3144), file)
+    return os.path.abspath(path)
+
+
+def scene_of(case, size, out, fibres):
     groom, to_light, colour, camera = case
     if groom == "LB":
-        scene = measured_scenes.scene("dense", out, colour, size, to_light, groom={"specification": LADDER}, camera=camera or HEAD)
+        scene = measured_scenes.scene("dense", out, colour, size, to_light, groom={"specification": ladder_of(out, fibres)}, camera=camera or HEAD)
         return {**scene, "fibre_count": 40000}
     if groom in FILES:
         return measured_scenes.scene(FILES[groom], out, colour, size, to_light, camera=camera)
-    return measured_scenes.scene("dense", out, colour, size, to_light, groom=groom_of(groom, out), camera=camera or HEAD)
+    return measured_scenes.scene("dense", out, colour, size, to_light, groom=groom_of(groom, out, fibres), camera=camera or HEAD)
 
 
 def make(case, options):
@@ -129,8 +159,9 @@ def make(case, options):
     if os.path.exists(os.path.join(folder, "about.f64")):
         return
     os.makedirs(folder, exist_ok=True)
-    scene = scene_of(drawn_case, size, options.out)
-    if f"_{ON_HEAD}" in name:
+    on_head = f"_{ON_HEAD}" in name
+    scene = scene_of(drawn_case, size, options.out, on_head)
+    if on_head:
         scene["head"] = {"present": True}
     path = measured_scenes.write(scene, os.path.join(folder, "scene.json"))
     print(name, flush=True)
@@ -141,13 +172,17 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("out")
     parser.add_argument("--samples", type=int, default=64)
+    parser.add_argument("--only", default="*", help="of the cases, by name: '*_h*' those on a head")
     parser.add_argument("--jobs", type=int, default=2, help="pictures at a time")
     options = parser.parse_args()
     os.makedirs(options.out, exist_ok=True)
     for groom in GROWN:
-        groom_of(groom, options.out)
+        for fibres in (False, True):
+            groom_of(groom, options.out, fibres)
+    ladder_of(options.out, True)
+    wanted = [case for case in cases() if fnmatch.fnmatch(case[0], options.only)]
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        list(pool.map(lambda case: make(case, options), cases()))
+        list(pool.map(lambda case: make(case, options), wanted))
 
 
 if __name__ == "__main__":
