@@ -15,6 +15,7 @@ import tempfile
 import numpy
 
 import cuticle
+import measured_scenes
 
 LADDER = pathlib.Path(__file__).resolve().parent.parent / "scenes/ladder"
 VIEWS = {"side": [0.95, 0.12, -0.35], "front": [0, 0.12, 1], "back": [-0.6, 0.3, -0.8]}
@@ -24,12 +25,8 @@ LIGHTS = ([0.9, 0.6, -0.1], [-0.6, 0.5, -0.7], [0.9, 0.3, 0.1], [0.1, 0.5, 0.9])
 
 def specified(density, folder):
     """The ladder's hair with another density, in as many locks."""
-    strands = json.loads((LADDER / "blond_strands.json").read_text())
-    clumping = strands["shaping"]["clumping"]
-    clumping["strands_per_lock"] = round(clumping["strands_per_lock"] * density / strands["strands"]["density"])
-    strands["strands"]["density"] = density
     file = pathlib.Path(folder) / f"strands_{density:g}.json"
-    file.write_text(json.dumps(strands))
+    file.write_text(json.dumps(measured_scenes.with_strands(LADDER / "blond_strands.json", density / THICK)))
     return str(file)
 
 

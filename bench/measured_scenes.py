@@ -44,6 +44,17 @@ def grown(strands, radius, folder, settings=""):
     return path
 
 
+def with_strands(specification, times):
+    """A file's hair with so many times as many strands in as many locks."""
+    with open(specification) as file:
+        hair = json.load(file)
+    hair["strands"]["density"] *= times
+    clumping = hair.get("shaping", {}).get("clumping", {})
+    if "strands_per_lock" in clumping:
+        clumping["strands_per_lock"] = round(clumping["strands_per_lock"] * times)
+    return hair
+
+
 def groom_of(name, folder):
     known = GROOMS[name]
     if "grow" in known:

@@ -330,8 +330,8 @@ Spec specification(const Catalogue& catalogue) {
            "strand_vertices", 2, strands::k_max_vertices,
            "vertices of each drawn strand, as strand_count; of a grooming specification's strands, absent: their own"),
        real("fibre_count", 1, 1e9,
-            "fibres that the drawn strands stand for; they are as wide as these together, up to 1 mm; absent: 100000, "
-            "of a file that carries radii as many as strands"),
+            "fibres that the drawn strands stand for; they are as wide as these together, up to 1 mm, and shadows fall on "
+            "them as on one of these; absent: 100000, of a file that carries radii as many as strands"),
        real("frames_per_second", 1, 1000, "frame rate"),
        outputs(),
        render(),

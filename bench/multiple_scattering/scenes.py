@@ -104,17 +104,6 @@ def cases():
         yield f"held_b{k:02d}_{case[0]}", 96, 4, case
 
 
-def with_strands(specification, times):
-    """A file's hair with so many times as many strands in as many locks."""
-    with open(specification) as file:
-        hair = json.load(file)
-    hair["strands"]["density"] *= times
-    clumping = hair.get("shaping", {}).get("clumping", {})
-    if "strands_per_lock" in clumping:
-        clumping["strands_per_lock"] = round(clumping["strands_per_lock"] * times)
-    return hair
-
-
 def groom_of(name, out, fibres):
     """`fibres`: with as many strands as fibres of FIBRE_RADIUS cover the same."""
     settings, radius = GROWN[name]
@@ -127,7 +116,7 @@ def groom_of(name, out, fibres):
         if not os.path.exists(path):
             looks = os.path.join(out, f"{settings}_{times:g}.json")
             with open(looks, "w") as file:
-                json.dump(with_strands(os.path.join(os.path.dirname(__file__), "../../scenes/looks", f"{settings}.json"), times), file)
+                json.dump(measured_scenes.with_strands(os.path.join(os.path.dirname(__file__), "../../scenes/looks", f"{settings}.json"), times), file)
             subprocess.run([measured_scenes.PROGRAM, "grow", looks, "--out", path], check=True, capture_output=True)
     return {"file": os.path.abspath(path), "metres_per_unit": 1, "radius_m": radius / times}
 
@@ -139,7 +128,7 @@ def ladder_of(out, fibres):
     path = os.path.join(out, "ladder_of_fibres.json")
     if not os.path.exists(path):
         with open(path, "w") as file:
-            json.dump(with_strands(LADDER, 40000 / 3144), file)
+            json.dump(measured_scenes.with_strands(LADDER, 40000 / 3144), file)
     return os.path.abspath(path)
 
 

@@ -5,7 +5,8 @@
   python bench/peers/compare.py OUT [--programs mitsuba,cycles] [--bounces 1,64] [--samples 32] [--size 320] [--hair apart] [--shutter .5]
 
 `--hair`: `dense`, a grown head, whose fibres pass through each other; `apart`, straight fibres in all directions, none of which touch. Cycles meets
-the inner side of a fibre around the point where a ray begins, the others do not: only on hair that lies apart should all three agree.
+the inner side of a fibre around the point where a ray begins, the others do not: only on hair that lies apart should all three agree. `thick`: 3,144 strands of .45 mm radius that
+stand for 40,000 fibres; `thin`: 40,000 strands in as many locks (thick_strands.py compares the two).
 
 `--shutter`: the camera travels by a fifth of the picture's height a frame, and the picture is
 the mean over so many frames; by Cycles alone.
@@ -28,6 +29,8 @@ import against_reference  # noqa: E402
 import measured_scenes  # noqa: E402
 
 HERE = os.path.dirname(os.path.abspath(__file__))
+LADDER = os.path.join(HERE, "../../scenes/ladder/blond_strands.json")
+FIBRES_EACH, FIBRE_RADIUS = {"thick": 40000 / 3144, "thin": 1}, 3.5e-5  # of a strand of the ladder's blond hair; metres
 PIECES = 2  # of a span of the B-spline, for programs that draw straight pieces or curves through points
 
 
@@ -38,7 +41,7 @@ def arguments():
     parser.add_argument("--bounces", default="1,64")
     parser.add_argument("--samples", type=int, default=32)
     parser.add_argument("--size", type=int, default=320)
-    parser.add_argument("--hair", choices=("dense", "apart"), default="dense")
+    parser.add_argument("--hair", choices=("dense", "apart", "thick", "thin"), default="dense")
     parser.add_argument("--shutter", type=float, default=0, help="open for so many frames; 0: a still picture")
     return parser.parse_args()
 
@@ -74,13 +77,27 @@ def apart(radius, side, length, tries=100000):
     return [(1 - share) * a + share * b for a, b in zip(begins, ends)]
 
 
+def ladder_of(fibres, out):
+    """The ladder's blond hair with one strand for so many of its 40,000 fibres."""
+    path, specification = os.path.join(out, "strands.npz"), os.path.join(out, "strands.json")
+    if not os.path.exists(path):
+        with open(specification, "w") as file:
+            json.dump(measured_scenes.with_strands(LADDER, FIBRES_EACH["thick"] / fibres), file)
+        subprocess.run([measured_scenes.PROGRAM, "grow", specification, "--out", path], check=True, capture_output=True)
+    return path
+
+
 def hair_of(name, out):
     """Strands of control points, their radius, and the camera."""
     if name == "apart":
         camera = {"position_m": [0.1, 0.05, 0.3], "target_m": [0, 0, 0], "fov_deg": 3.4}
         return apart(radius=4e-4, side=0.02, length=0.16), 4e-4, camera
-    radius = measured_scenes.GROOMS["dense"]["groom"]["radius_m"]
-    with np.load(measured_scenes.grown("density=4e5", radius, out)) as file:
+    if name in FIBRES_EACH:
+        path, radius = ladder_of(FIBRES_EACH[name], out), FIBRE_RADIUS * FIBRES_EACH[name]
+    else:
+        radius = measured_scenes.GROOMS["dense"]["groom"]["radius_m"]
+        path = measured_scenes.grown("density=4e5", radius, out)
+    with np.load(path) as file:
         offsets, positions = file["offsets"].astype(int), file["positions"].astype(float)
     return [positions[a:b] for a, b in zip(offsets[:-1], offsets[1:])], radius, None
 
