@@ -26,7 +26,7 @@ LIGHTS = ([0.9, 0.6, -0.1], [-0.6, 0.5, -0.7], [0.9, 0.3, 0.1], [0.1, 0.5, 0.9])
 def specified(density, folder):
     """The ladder's hair with another density, in as many locks."""
     file = pathlib.Path(folder) / f"strands_{density:g}.json"
-    file.write_text(json.dumps(measured_scenes.with_strands(LADDER / "blond_strands.json", density / THICK)))
+    file.write_text(json.dumps(measured_scenes.with_strands(measured_scenes.LADDER, density / THICK)))
     return str(file)
 
 

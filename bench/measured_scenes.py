@@ -6,6 +6,8 @@ import json
 import os
 import subprocess
 
+LADDER = os.path.abspath(os.path.join(os.path.dirname(__file__), "../scenes/ladder/blond_strands.json"))
+LADDER_FIBRES, LADDER_STRANDS = 40000, 3144
 PROGRAM = os.environ.get("CUTICLE", "build/release/bin/cuticle")
 TO_LIGHT = (0.6, 0.9, 0.8)
 # Absorption of a fibre per radius.
@@ -53,6 +55,15 @@ def with_strands(specification, times):
     if "strands_per_lock" in clumping:
         clumping["strands_per_lock"] = round(clumping["strands_per_lock"] * times)
     return hair
+
+
+def ladder_of_fibres(folder):
+    """The ladder's blond hair with as many strands as the fibres for which its own stand."""
+    path = os.path.join(folder, "ladder_of_fibres.json")
+    if not os.path.exists(path):
+        with open(path, "w") as file:
+            json.dump(with_strands(LADDER, LADDER_FIBRES / LADDER_STRANDS), file)
+    return os.path.abspath(path)
 
 
 def groom_of(name, folder):

@@ -30,7 +30,7 @@ GROWN = {"D4": ("density=4e5", 8e-5), "D2": ("density=2e5", 8e-5), "D1": ("densi
          "CU": ("curly", 1.2e-4), "WA": ("wavy", 1.5e-4), "ST": ("straight", 1e-4)}
 # Transmittance is also that of the maps that the scenes of the gallery and the ladder have.
 SHADOWS = ["deep_opacity:layers=16,resolution=320,filter_radius_mm=1.5", "deep_opacity:layers=8,resolution=512,filter_texels=1"]
-LADDER = os.path.abspath(os.path.join(os.path.dirname(__file__), "../../scenes/ladder/blond_strands.json"))
+LOOKS = os.path.join(os.path.dirname(__file__), "../../scenes/looks")
 ON_HEAD = "h"  # in names of cases: with the head that the hair grows on, every strand a fibre
 FIBRE_RADIUS = 4e-5
 FILES = {"PT": "ponytail", "TH": "testhair", "SI": "sintel"}
@@ -116,27 +116,17 @@ def groom_of(name, out, fibres):
         if not os.path.exists(path):
             looks = os.path.join(out, f"{settings}_{times:g}.json")
             with open(looks, "w") as file:
-                json.dump(measured_scenes.with_strands(os.path.join(os.path.dirname(__file__), "../../scenes/looks", f"{settings}.json"), times), file)
+                json.dump(measured_scenes.with_strands(os.path.join(LOOKS, f"{settings}.json"), times), file)
             subprocess.run([measured_scenes.PROGRAM, "grow", looks, "--out", path], check=True, capture_output=True)
     return {"file": os.path.abspath(path), "metres_per_unit": 1, "radius_m": radius / times}
-
-
-def ladder_of(out, fibres):
-    """The ladder's blond hair, 3,144 strands or as many as the 40,000 fibres for which they stand."""
-    if not fibres:
-        return LADDER
-    path = os.path.join(out, "ladder_of_fibres.json")
-    if not os.path.exists(path):
-        with open(path, "w") as file:
-            json.dump(measured_scenes.with_strands(LADDER, 40000 / 3144), file)
-    return os.path.abspath(path)
 
 
 def scene_of(case, size, out, fibres):
     groom, to_light, colour, camera = case
     if groom == "LB":
-        scene = measured_scenes.scene("dense", out, colour, size, to_light, groom={"specification": ladder_of(out, fibres)}, camera=camera or HEAD)
-        return {**scene, "fibre_count": 40000}
+        hair = {"specification": measured_scenes.ladder_of_fibres(out) if fibres else measured_scenes.LADDER}
+        scene = measured_scenes.scene("dense", out, colour, size, to_light, groom=hair, camera=camera or HEAD)
+        return {**scene, "fibre_count": measured_scenes.LADDER_FIBRES}
     if groom in FILES:
         return measured_scenes.scene(FILES[groom], out, colour, size, to_light, camera=camera)
     return measured_scenes.scene("dense", out, colour, size, to_light, groom=groom_of(groom, out, fibres), camera=camera or HEAD)
@@ -168,7 +158,7 @@ def main():
     for groom in GROWN:
         for fibres in (False, True):
             groom_of(groom, options.out, fibres)
-    ladder_of(options.out, True)
+    measured_scenes.ladder_of_fibres(options.out)
     wanted = [case for case in cases() if fnmatch.fnmatch(case[0], options.only)]
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         list(pool.map(lambda case: make(case, options), wanted))

@@ -29,8 +29,8 @@ import against_reference  # noqa: E402
 import measured_scenes  # noqa: E402
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-LADDER = os.path.join(HERE, "../../scenes/ladder/blond_strands.json")
-FIBRES_EACH, FIBRE_RADIUS = {"thick": 40000 / 3144, "thin": 1}, 3.5e-5  # of a strand of the ladder's blond hair; metres
+FIBRES_EACH = {"thick": measured_scenes.LADDER_FIBRES / measured_scenes.LADDER_STRANDS, "thin": 1}
+FIBRE_RADIUS = 3.5e-5  # of a strand of the ladder's blond hair; metres
 PIECES = 2  # of a span of the B-spline, for programs that draw straight pieces or curves through points
 
 
@@ -77,12 +77,10 @@ def apart(radius, side, length, tries=100000):
     return [(1 - share) * a + share * b for a, b in zip(begins, ends)]
 
 
-def ladder_of(fibres, out):
-    """The ladder's blond hair with one strand for so many of its 40,000 fibres."""
-    path, specification = os.path.join(out, "strands.npz"), os.path.join(out, "strands.json")
+def grown_ladder(name, out):
+    path = os.path.join(out, "strands.npz")
     if not os.path.exists(path):
-        with open(specification, "w") as file:
-            json.dump(measured_scenes.with_strands(LADDER, FIBRES_EACH["thick"] / fibres), file)
+        specification = measured_scenes.ladder_of_fibres(out) if FIBRES_EACH[name] == 1 else measured_scenes.LADDER
         subprocess.run([measured_scenes.PROGRAM, "grow", specification, "--out", path], check=True, capture_output=True)
     return path
 
@@ -93,7 +91,7 @@ def hair_of(name, out):
         camera = {"position_m": [0.1, 0.05, 0.3], "target_m": [0, 0, 0], "fov_deg": 3.4}
         return apart(radius=4e-4, side=0.02, length=0.16), 4e-4, camera
     if name in FIBRES_EACH:
-        path, radius = ladder_of(FIBRES_EACH[name], out), FIBRE_RADIUS * FIBRES_EACH[name]
+        path, radius = grown_ladder(name, out), FIBRE_RADIUS * FIBRES_EACH[name]
     else:
         radius = measured_scenes.GROOMS["dense"]["groom"]["radius_m"]
         path = measured_scenes.grown("density=4e5", radius, out)
