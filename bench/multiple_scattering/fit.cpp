@@ -1,8 +1,8 @@
 // Fits the corrections of dual scattering to path tracing: fit_multiple_scattering TABLE.cpp FOLDER ... [--held FOLDER
 // ...]. Each folder is one that samples.cpp wrote; those behind --held are only judged. Prints light and errors of
 // each, and writes the tables that bsdf/dual_scattering compiles, of hair alone and on a head; without pictures of one
-// it stays as it is compiled. With --judge the errors of the compiled ones alone. Equations are means over 8 x 8
-// pixels.
+// it stays as it is compiled. With --judge the errors of the compiled ones alone. --direction-spread R: in place
+// of the pass's default, radians. Equations are means over 8 x 8 pixels.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -25,11 +25,17 @@ using namespace cuticle;
 using namespace cuticle::bsdf::dual_scattering;
 
 constexpr int k_side = 8, k_rows = 32, k_seen = 7, k_light = 9;
-constexpr double k_pi = 3.141592653589793, k_bent = 0.16;  // direction_spread^2 of render/passes/dual_scattering
+constexpr double k_pi = 3.141592653589793;
 
 /// Smoothing, and the weight of a picture's mean beside all its squares: chosen by --leave-out.
 struct Weights {
   double bend = 1, slope = 0.06, pull = 0.2, mean = 2;
+};
+
+/// terms.f64, and the spread of the fibres' directions, radians (direction_spread of render/passes/dual_scattering).
+struct Terms {
+  std::vector<double> numbers;
+  double direction_spread = 0.4;
 };
 
 template <class T>
@@ -63,26 +69,26 @@ struct Case {
   std::vector<Parts> parts;  ///< of each block
 };
 
-ScatteringLobe<double> lobe_of(const std::vector<double>& terms, int lobe, double theta, int channel) {
+ScatteringLobe<double> lobe_of(const Terms& terms, int lobe, double theta, int channel) {
   const double at = std::clamp((theta / k_pi + 0.5) * k_rows - 0.5, 0.0, k_rows - 1.0);
   const int below = std::min(int(at), k_rows - 2);
   const auto term = [&](int which) {
-    const auto place = [&](int row) { return terms[std::size_t((row * 9 + lobe + which) * 3 + channel)]; };
+    const auto place = [&](int row) { return terms.numbers[std::size_t((row * 9 + lobe + which) * 3 + channel)]; };
     return std::lerp(place(below), place(below + 1), at - below);
   };
   return {term(0), term(1), term(2)};
 }
 
 /// As dual_scattering.glsl puts them together, of one channel: onward, back, diffuse, per irradiance.
-std::array<double, k_factors> factors_at(const std::vector<double>& terms, const float* seen, double arrives,
-                                         int channel) {
+std::array<double, k_factors> factors_at(const Terms& terms, const float* seen, double arrives, int channel) {
   const double theta_i = std::asin(std::clamp(double(seen[1]), -1.0, 1.0)),
                theta_o = std::asin(std::clamp(double(seen[2]), -1.0, 1.0)), theta_d = (theta_o - theta_i) / 2;
   const double away = std::acos(std::clamp(double(seen[3]), -1.0, 1.0)) / k_pi;
   const FibreAverages<double> fibre{lobe_of(terms, 0, theta_i, channel), lobe_of(terms, 0, theta_d, channel),
                                     lobe_of(terms, 3, theta_d, channel), lobe_of(terms, 6, theta_d, channel)};
   const double transmittance = std::clamp(arrives, double(k_min_transmittance), 1.0);
-  const ScatteredLight<double> light = scattered_light(fibre, transmittance, theta_i, theta_o, away, k_bent);
+  const ScatteredLight<double> light =
+      scattered_light(fibre, transmittance, theta_i, theta_o, away, terms.direction_spread * terms.direction_spread);
   const double inclined = std::cos(theta_i) / (k_pi * std::max(std::cos(theta_d) * std::cos(theta_d), 1e-3));
   return {inclined * light.onward, inclined * (light.back + light.onward_back), 1 / (4 * k_pi)};
 }
@@ -109,7 +115,7 @@ double toward(const float* seen) {
 }
 
 /// What a ray's vertex adds to its block: `tiles` shades vertices and draws what lies between them.
-void add_vertex(Parts& parts, const std::vector<double>& terms, const float* seen, double arrives, double unit) {
+void add_vertex(Parts& parts, const Terms& terms, const float* seen, double arrives, double unit) {
   const Between depth = between_depths(arrives), angle = between_angles(toward(seen));
   for (int c = 0; c < 3; ++c) {
     const auto factors = factors_at(terms, seen, arrives, c);
@@ -122,8 +128,7 @@ void add_vertex(Parts& parts, const std::vector<double>& terms, const float* see
   }
 }
 
-void add_parts(Case& picture, const std::vector<double>& terms, const std::vector<float>& seen, int width,
-               double unit) {
+void add_parts(Case& picture, const Terms& terms, const std::vector<float>& seen, int width, double unit) {
   for (std::size_t k = 0; k < seen.size(); k += std::size_t(k_seen + 2 * picture.methods)) {
     const int pixel = int(seen[k]), x = pixel % width / k_side, y = pixel / width / k_side;
     const int block = y * picture.across + x;
@@ -137,8 +142,9 @@ void add_parts(Case& picture, const std::vector<double>& terms, const std::vecto
   }
 }
 
-Case read_case(const std::string& folder, int method) {
-  const auto about = read<double>(folder + "/about.f64"), terms = read<double>(folder + "/terms.f64");
+Case read_case(const std::string& folder, int method, double direction_spread) {
+  const auto about = read<double>(folder + "/about.f64");
+  const Terms terms{read<double>(folder + "/terms.f64"), direction_spread};
   if (about.size() != 7) {
     fmt::print(stderr, "{}: about.f64 holds {} numbers, not 7: made by another samples.cpp\n", folder, about.size());
     std::exit(3);
@@ -157,7 +163,8 @@ Case read_case(const std::string& folder, int method) {
   for (auto* sums : {&picture.direct, &picture.multiple, &picture.variance}) sums->assign(blocks, glm::dvec3(0));
   picture.parts.assign(blocks, {});
   for (int c = 0; c < 3; ++c)
-    picture.albedo[c] = terms[std::size_t(k_rows / 2 * 27 + c)] + terms[std::size_t(k_rows / 2 * 27 + 9 + c)];
+    picture.albedo[c] =
+        terms.numbers[std::size_t(k_rows / 2 * 27 + c)] + terms.numbers[std::size_t(k_rows / 2 * 27 + 9 + c)];
   add_light(picture, read<float>(folder + "/light.f32"), width);
   add_parts(picture, terms, read<float>(folder + "/seen.f32"), width, about[3] / (k_side * k_side * about[2]));
   double brightest = 0;
@@ -354,8 +361,12 @@ int main(int count, char** given) {
   Weights weights;
   Wish wish;
   bool is_held = false;
-  const std::map<std::string, double*> numbers{
-      {"--bend", &weights.bend}, {"--slope", &weights.slope}, {"--pull", &weights.pull}, {"--mean", &weights.mean}};
+  double direction_spread = Terms{}.direction_spread;
+  const std::map<std::string, double*> numbers{{"--bend", &weights.bend},
+                                               {"--slope", &weights.slope},
+                                               {"--pull", &weights.pull},
+                                               {"--mean", &weights.mean},
+                                               {"--direction-spread", &direction_spread}};
   for (int k = 2; k < count; ++k) {
     const std::string word = given[k];
     if (word == "--held") {
@@ -369,16 +380,15 @@ int main(int count, char** given) {
     } else {
       auto& cases = is_held ? held : told;
       for (int method = 0, methods = 1; method < methods; ++method) {
-        cases.push_back(read_case(word, method));
+        cases.push_back(read_case(word, method, direction_spread));
         methods = cases.back().methods;
       }
     }
   }
   if (told.empty()) {
     fmt::print(stderr,
-               "fit_multiple_scattering TABLE.cpp [--bend B] [--slope S] [--pull P] [--mean M] [--leave-out] [--judge] "
-               "FOLDER ... "
-               "[--held FOLDER ...]\n");
+               "fit_multiple_scattering TABLE.cpp [--bend B] [--slope S] [--pull P] [--mean M] [--direction-spread R] "
+               "[--leave-out] [--judge] FOLDER ... [--held FOLDER ...]\n");
     return 2;
   }
   const auto alone = fitted_within(Within::hair_alone, told, held, weights, wish),
