@@ -103,7 +103,9 @@ def test_Tables_AtOnce_HaveImageFieldAndError(tmp_path):
 def test_Strands_State_IsColouredByStretch(tmp_path):
     state = tmp_path / "state.vtp"
     state.write_text(STATE)
-    pixels = picture(tmp_path / "state.png", "strands", state)[:780, :900]
+    whole = picture(tmp_path / "state.png", "strands", state)
+    assert whole[-100:, -100:].min() > 0.99, "below the plot, where a run has another, nothing is drawn"
+    pixels = whole[:780, :900]
     assert share_of_hue(pixels, (0.71, 0.02, 0.15)) > 0.0002, "longer than at rest is red"
     assert share_of_hue(pixels, (0.55, 0.69, 1.0), 0.15) > 0.00005, "shorter is blue"
 

@@ -102,7 +102,11 @@ Result<void> StrandsPicture::fill(const WindowArea& area) {
   const auto is_series = [](const Part& part) { return part.run.frames.size() > 1; };
   const bool has_time = std::any_of(parts_.begin(), parts_.end(), is_series);
   along_.emplace(*area.add_renderer(x0, has_time ? 0.5 : 0.25, 1, 1), size_);
-  if (has_time) over_time_.emplace(*area.add_renderer(x0, 0, 1, 0.5), size_);
+  if (has_time) {
+    over_time_.emplace(*area.add_renderer(x0, 0, 1, 0.5), size_);
+  } else {
+    area.add_renderer(x0, 0, 1, 0.25);  // what no renderer clears is black
+  }
   std::tie(strand_, vertex_) = largest();
   if (view_.strand)
     strand_ = std::min(*view_.strand, parts_[0].groom.strand_count() - 1),
