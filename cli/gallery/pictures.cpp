@@ -57,15 +57,15 @@ std::vector<GalleryPicture> diagrams() {
       {.name = "hard_case",
        .title = "The caustic of TRT: infinite, and smoothed",
        .commands = {"view lobes --preset blond --set caustic=exact --lobe TRT --theta-i 20 --radius linear "
-                    "--size {760} {520} --screenshot {work}/before.png",
+                    "--size {1200} {780} --screenshot {work}/before.png",
                     "view lobes --preset blond --set caustic=smoothed --lobe TRT --theta-i 20 --radius linear "
-                    "--size {760} {520} --screenshot {work}/after.png"},
+                    "--size {1200} {780} --screenshot {work}/after.png"},
        .parts = {"before.png", "after.png"},
 
        .needs_display = true},
       {.name = "lobes",
        .title = "The lobes R, TT and TRT of blond hair, light from 30 degrees",
-       .commands = {"view lobes --preset blond --theta-i 30 --size {800} {600} --screenshot {work}/lobes.png"},
+       .commands = {"view lobes --preset blond --theta-i 30 --size {1200} {800} --screenshot {work}/lobes.png"},
        .parts = {"lobes.png"},
        .needs_display = true},
       {.name = "tables",
@@ -86,7 +86,7 @@ std::vector<GalleryPicture> diagrams() {
       {.name = "tension",
        .title = "Stretch along simulated strands",
        .commands = {"simulate {scenes}/hairworks.json --frames 0:12 --out {work}",
-                    "view strands {work}/state_0012.vtp --size {800} {600} --screenshot {work}/tension.png"},
+                    "view strands {work}/state_0012.vtp --size {1200} {800} --screenshot {work}/tension.png"},
        .parts = {"tension.png"},
        .needs_display = true}};
 }
