@@ -184,6 +184,7 @@ Result<Traced> traced_of(const scene::Scene& scene, const StrandSet& set, Traced
   }
   const auto parameters = render::parameters_of<render::reference::Parameters>(scene.passes);
   CUTICLE_ASSIGN(traced.options, options_of(scene, camera, parameters));
+  if (traced.options.shadows) traced.options.shadows->fibre_width = double(set.fibre_width);
   traced.quality = {.samples = parameters.samples, .max_error = parameters.max_error};
   return traced;
 }

@@ -65,8 +65,11 @@ Result<VertexTransmittance> VertexTransmittance::make(const TracedScene& scene, 
       strand_of.push_back(s);
       vertices.push_back(v);
     }
-  const shadows::Receivers receivers{
-      .points = hair.positions, .strands = strand_of, .vertices = vertices, .seen_from = scene.camera.position};
+  const shadows::Receivers receivers{.points = hair.positions,
+                                     .strands = strand_of,
+                                     .vertices = vertices,
+                                     .seen_from = scene.camera.position,
+                                     .fibre_width = choice.fibre_width};
   VertexTransmittance result;
   for (const Light& light : scene.lights) {
     shadows::Casters casters{.groom = &hair, .to_light = light.to_light};

@@ -22,7 +22,8 @@ struct TablesInstead {
 struct ShadowsInstead {
   std::string method = "truth";  ///< of shadows::methods()
   registry::ParameterValues values = {};
-  glm::dvec3 alpha{0.4};  ///< opacity of a fibre crossing, per channel, 0 .. 1
+  glm::dvec3 alpha{0.4};   ///< opacity of a fibre crossing, per channel, 0 .. 1
+  double fibre_width = 1;  ///< shadows::Receivers::fibre_width
 };
 
 /// S of the far field from tables. Safe to use from several threads. Test: reference_test.cpp.

@@ -1,6 +1,7 @@
 // What real-time ways leave out, put into the path tracer one at a time.
 #include "render/reference/restrictions.h"
 
+#include <cmath>
 #include <numbers>
 
 #include <fmt/core.h>
@@ -99,6 +100,16 @@ TEST(Restrictions, ShadowMethod_FibreBehindAnotherHasTheLightThatTheMethodLeaves
     EXPECT_EQ(traced.color[c], 0);
     EXPECT_NEAR(by_method.color[c] / lit.color[c], 1 - alpha[c], 1e-5) << c;
   }
+}
+
+TEST(Restrictions, ShadowMethod_IsAskedWithTheWidthOfTheFibres) {
+  const TracedScene scene = lit_ball();
+  ShadowsInstead shadows = shadows_of("deep_opacity", glm::dvec3(1));
+  const auto light_by = [&](double fibre_width) {
+    shadows.fibre_width = fibre_width;
+    return mean_where_covered(picture_of(scene, {.scatterings = 1, .shadows = shadows}, {.samples = 16})).color.x;
+  };
+  EXPECT_GT(std::abs(light_by(0.1) / light_by(1) - 1), 1e-3);
 }
 
 // A surface between stands in the light of every method.
