@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <sstream>
@@ -78,12 +79,14 @@ std::set<std::string> claims(const Made& made) {
 }
 
 TEST(Engine, MidpointRule_ErrorsFallWithTheSquareOfTheCost) {
-  const Made run = run_of({{"midpoint"}});
-  const auto& points = run.result.groups[0].points;
+  Made run = run_of({{"midpoint"}});
+  auto& points = run.result.groups[0].points;
   EXPECT_NEAR(points[0].metrics[0].all.mean.value / points[1].metrics[0].all.mean.value, 16, 0.3);
+  // The cost by the count of steps: a busy machine's times are off by up to half (an exponent of -2.6 was seen).
+  for (auto& point : points) point.time.units.value = std::strtod(point.knobs[0].value.c_str(), nullptr);
   const Json exponents = conclusions_json(run.study, run.result)["groups"][0]["exponents"];
   ASSERT_EQ(exponents.size(), 1u);
-  EXPECT_NEAR(exponents[0]["exponent"].number(), -2, 0.3);
+  EXPECT_NEAR(exponents[0]["exponent"].number(), -2, 0.02);
 }
 
 TEST(Engine, ASlowedAndAWrongMethod_ShowAsSuch) {
