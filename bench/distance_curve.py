@@ -3,7 +3,7 @@
 Strands are left out by chance, the rest as much wider; vertices are left out evenly along each strand. Each picture is drawn
 by `tiles` and compared with that of all strands: relative mean squared error of the luminance, light, coverage. --levels draws by the
 level of detail as well (tile_lists.full_px), with the time of a frame, and moves the camera away in steps of a hundredth: what a step changes, there and in
-hair that is complete. The last line says what hair that is complete, but lies a third of a pixel aside, differs by.
+hair that is complete, and says where the error of the last level lies and what is left of it without shadows. The last line says what hair that is complete, but lies a third of a pixel aside, differs by.
 
   PYTHONPATH=build/release/python python bench/distance_curve.py [--groom FILE] [--density ROOTS_PER_M2] [--pixels N]
                                                                  [--levels] [--figure FILE.png]
@@ -42,8 +42,8 @@ def half_width(radius, pixels):
     return 2 * radius / PIXELS_OF_A_STRAND * pixels / 2
 
 
-def opened(points, radius, pixels, full_px=0, farther=1, seen=False):
-    """To be drawn by `tiles`. radius: as drawn, and that of the complete hair."""
+def opened(points, radius, pixels, full_px=0, farther=1, seen=False, shadow="deep_opacity"):
+    """To be drawn by `tiles`. radius: as drawn, and that of the complete hair. shadow: or none."""
     eye, half = TARGET + [0, 0, DISTANCE * farther], half_width(radius[1], pixels)
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "strands.hair"
@@ -52,7 +52,7 @@ def opened(points, radius, pixels, full_px=0, farther=1, seen=False):
             "groom": {"file": str(file), "metres_per_unit": 1, "radius_m": radius[0]}, "head": {"present": False},
             "lights": [{"to_light": [0.6, 0.9, 0.8], "irradiance": [15, 14, 13]}],
             "material": {"model": {"marschner": {"eta": 1.55, "sigma_a": [0.02, 0.06, 0.17], "beta": 0.14, "alpha": -0.0524}}},
-            "shadow": {"method": {"deep_opacity": {"layers": 16, "resolution": 1024}}},
+            "shadow": {"method": {shadow: {"layers": 16, "resolution": 1024} if shadow != "none" else {}}},
             "passes": {"tile_lists": {"budget_mib": 2000, "full_px": full_px}},
             "camera": {"position_m": eye.tolist(), "target_m": TARGET.tolist(), "fov_deg": math.degrees(2 * math.atan(half / DISTANCE)), "near_m": 0.2,
                        "far_m": 5, "resolution_px": [pixels, pixels]}}, method="tiles", seen=seen)
@@ -88,14 +88,25 @@ def compared(found, truth):
 
 def levels(points, radius, pixels, truth):
     """Share of the strands that a level draws, and its error."""
-    rows, covered = [], covered_pixels(points, radius, pixels)
+    rows, covered, of = [], covered_pixels(points, radius, pixels), (points, (radius, radius), pixels)
     for share in (1, 1 / 2, 1 / 4, 1 / 8, 1 / 16):
         # Levels go in steps of the fourth root of 2; bounds of drawn hair are somewhat larger.
-        image, seconds, strands = drawn_and_timed(points, (radius, radius), pixels, 1.15 * covered / share if share < 1 else 0)
+        full_px = 1.15 * covered / share if share < 1 else 0
+        image, seconds, strands = drawn_and_timed(*of, full_px)
         error, light, coverage = compared(image, truth)
         rows.append((strands / len(points), error))
         print(f"a level     1/{len(points) / strands:<4.1f} {error:15.4f} {light:9.3f} {coverage:8.4f}   {seconds:.2f} s", flush=True)
+    print("of this error: " + ", ".join(f"{share:.2f} {where}" for where, share in error_by_place(image, truth).items()))
+    error, light, _ = compared(picture(*of, full_px, shadow="none"), picture(*of, shadow="none"))
+    print(f"the same level without shadows {error:8.4f} {light:9.3f}", flush=True)
     return rows[1:]
+
+
+def error_by_place(found, truth):
+    """Shares of the squared error where the complete hair covers nothing, a part of the pixel, and all of it."""
+    error, covered = (found[..., :3].mean(-1) - truth[..., :3].mean(-1)) ** 2, truth[..., 3]
+    places = {"beside the hair": covered < 0.02, "on its outline": (covered >= 0.02) & (covered < 0.98), "within it": covered >= 0.98}
+    return {where: float(error[at].sum() / error.sum()) for where, at in places.items()}
 
 
 def dolly(points, radius, pixels):

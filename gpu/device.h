@@ -292,8 +292,11 @@ class Device : public std::enable_shared_from_this<Device> {
   /// Floats, four per texel (one for r32f, r32u and depth32f).
   Result<std::vector<float>> download(const Texture& texture);
 
+  /// Shader and interface that were made before cost nothing: the device keeps its last 512 pipelines, and those in use.
   Result<Kernel> make_kernel(std::span<const std::uint32_t> spirv, const ShaderInterface& interface);
   Result<GraphicsPipeline> make_graphics(const GraphicsDescription& description);
+  /// How many pipelines were made since the device was opened, those of kernels included.
+  std::size_t pipelines_made() const;
 
   Commands record();
   /// Runs the work and waits. Error: internal on a validation message, no_device when the device was lost.

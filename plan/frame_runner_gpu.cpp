@@ -7,9 +7,9 @@
 
 #include <fmt/core.h>
 
+#include "core/content_key.h"
 #include "core/wall_clock.h"
 #include "plan/camera_path.h"
-#include "plan/content_key.h"
 #include "plan/frame_cost_gpu.h"
 #include "plan/hair_in_view.h"
 #include "plan/picture_gpu.h"

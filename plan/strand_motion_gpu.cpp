@@ -8,7 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "plan/content_key.h"
+#include "core/content_key.h"
 #include "plan/frame_cost_gpu.h"
 #include "plan/simulation.h"
 #include "sim/colliders/contact.h"

@@ -59,6 +59,7 @@ Result<std::shared_ptr<Device>> Device::open(const DeviceRequest& request) {
 
 Device::Impl::~Impl() {
   if (device == VK_NULL_HANDLE) return;
+  pipelines.clear();
   release_staging(*this);
   vk.vkDestroyDevice(device, nullptr);
 }

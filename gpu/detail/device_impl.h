@@ -2,6 +2,7 @@
 // Private to gpu/ (not installed): what a Device and its memory consist of.
 #include <atomic>
 #include <functional>
+#include <map>
 
 #include "gpu/detail/instance.h"
 #include "gpu/device.h"
@@ -22,6 +23,34 @@ struct Staging {
   Memory memory;
 };
 
+struct PipelineObject;
+
+/// Pipelines by a key of all that they are made of (ContentKey), so that none is made twice: on software Vulkan making
+/// them is most of what comes before a first picture. Beyond k_most of them those that nothing holds are destroyed, the
+/// one asked for longest ago first.
+class SharedPipelines {
+ public:
+  static constexpr std::size_t k_most = 512;
+  /// Null where there is none.
+  std::shared_ptr<PipelineObject> find(std::uint64_t key);
+  void keep(std::uint64_t key, std::shared_ptr<PipelineObject> object);
+  /// How many were made since the device was opened.
+  std::size_t made() const;
+  void clear();
+
+ private:
+  struct Entry {
+    std::shared_ptr<PipelineObject> object;
+    std::uint64_t asked = 0;  ///< by the clock below
+  };
+  void destroy_unused();
+
+  mutable std::mutex mutex_;
+  std::map<std::uint64_t, Entry> entries_;
+  std::uint64_t clock_ = 0;
+  std::size_t made_ = 0;
+};
+
 struct Device::Impl {
   std::shared_ptr<Instance> instance;
   VkPhysicalDevice physical = VK_NULL_HANDLE;
@@ -35,6 +64,7 @@ struct Device::Impl {
   VkPhysicalDeviceFeatures features{};
   DeviceInfo info;
   Staging staging;
+  SharedPipelines pipelines;
   std::atomic<std::size_t> allocated{0}, peak{0};
 
   Impl() = default;

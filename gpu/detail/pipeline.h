@@ -2,12 +2,14 @@
 // Private to gpu/ (not installed): pipelines with their layouts.
 #include <array>
 
+#include "core/content_key.h"
 #include "gpu/detail/device_impl.h"
 
 namespace cuticle::gpu {
 
+/// Shared by all that asked for the same; the device, which outlives it, keeps it for those who ask again.
 struct PipelineObject {
-  std::shared_ptr<Device> device;
+  Device::Impl* device = nullptr;
   VkDescriptorSetLayout set_layout = VK_NULL_HANDLE;
   VkPipelineLayout layout = VK_NULL_HANDLE;
   VkPipeline pipeline = VK_NULL_HANDLE;
@@ -16,15 +18,20 @@ struct PipelineObject {
   ~PipelineObject();
 };
 struct Kernel::Impl {
+  std::shared_ptr<Device> device;
   std::shared_ptr<PipelineObject> object;
 };
 struct GraphicsPipeline::Impl {
+  std::shared_ptr<Device> device;
   std::shared_ptr<PipelineObject> object;
 };
 
 /// A PipelineObject with its layouts, still without a pipeline. Error: bad_input past a limit of the device.
-Result<std::shared_ptr<PipelineObject>> make_layout(std::shared_ptr<Device> device, const ShaderInterface& interface,
+Result<std::shared_ptr<PipelineObject>> make_layout(Device::Impl& device, const ShaderInterface& interface,
                                                     VkShaderStageFlags stages);
+
+/// What a pipeline's interface adds to its key.
+void add_interface(ContentKey& key, const ShaderInterface& interface);
 
 /// A shader module, destroyed at the end of the scope (a pipeline does not need it after its creation).
 class ShaderModule {

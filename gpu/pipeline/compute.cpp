@@ -7,9 +7,12 @@ Kernel::~Kernel() = default;
 Kernel::Kernel(Kernel&&) noexcept = default;
 Kernel& Kernel::operator=(Kernel&&) noexcept = default;
 
-Result<Kernel> Device::make_kernel(std::span<const std::uint32_t> spirv, const ShaderInterface& interface) {
-  CUTICLE_ASSIGN(auto object, make_layout(shared_from_this(), interface, VK_SHADER_STAGE_COMPUTE_BIT));
-  const ShaderModule shader(*impl_, spirv);
+namespace {
+
+Result<std::shared_ptr<PipelineObject>> make_pipeline(Device::Impl& device, std::span<const std::uint32_t> spirv,
+                                                      const ShaderInterface& interface) {
+  CUTICLE_ASSIGN(auto object, make_layout(device, interface, VK_SHADER_STAGE_COMPUTE_BIT));
+  const ShaderModule shader(device, spirv);
   CUTICLE_TRY(checked(shader.result, "vkCreateShaderModule"));
   const Specialization specialization(interface);
   VkComputePipelineCreateInfo info{};
@@ -17,10 +20,24 @@ Result<Kernel> Device::make_kernel(std::span<const std::uint32_t> spirv, const S
   info.stage = shader_stage(VK_SHADER_STAGE_COMPUTE_BIT, shader, specialization);
   info.layout = object->layout;
   CUTICLE_TRY(
-      checked(impl_->vk.vkCreateComputePipelines(impl_->device, VK_NULL_HANDLE, 1, &info, nullptr, &object->pipeline),
+      checked(device.vk.vkCreateComputePipelines(device.device, VK_NULL_HANDLE, 1, &info, nullptr, &object->pipeline),
               "vkCreateComputePipelines"));
+  return object;
+}
+
+}  // namespace
+
+Result<Kernel> Device::make_kernel(std::span<const std::uint32_t> spirv, const ShaderInterface& interface) {
+  ContentKey key;
+  key.add(spirv);
+  add_interface(key, interface);
+  std::shared_ptr<PipelineObject> object = impl_->pipelines.find(key.value());
+  if (!object) {
+    CUTICLE_ASSIGN(object, make_pipeline(*impl_, spirv, interface));
+    impl_->pipelines.keep(key.value(), object);
+  }
   Kernel kernel;
-  kernel.impl_ = std::make_unique<Kernel::Impl>(Kernel::Impl{std::move(object)});
+  kernel.impl_ = std::make_unique<Kernel::Impl>(Kernel::Impl{shared_from_this(), std::move(object)});
   return kernel;
 }
 

@@ -137,7 +137,7 @@ Result<void> check(const Device::Impl& device, const GraphicsDescription& descri
 }
 
 Result<void> create_pipeline(PipelineObject& object, const GraphicsDescription& description) {
-  Device::Impl& device = *object.device->impl();
+  Device::Impl& device = *object.device;
   const Specialization specialization(object.interface);
   const ShaderModule vertex(device, description.vertex_spirv);
   CUTICLE_TRY(checked(vertex.result, "vkCreateShaderModule (vertex)"));
@@ -155,6 +155,26 @@ Result<void> create_pipeline(PipelineObject& object, const GraphicsDescription& 
       "vkCreateGraphicsPipelines");
 }
 
+std::uint64_t key_of(const GraphicsDescription& description) {
+  ContentKey key;
+  key.add(description.vertex_spirv);
+  key.add(description.fragment_spirv);
+  add_interface(key, description.interface);
+  key.add(std::span<const TextureFormat>(description.color_formats));
+  for (const int value : {int(description.topology), int(description.blend), int(description.depth_compare),
+                          int(description.depth_test), int(description.depth_write), int(description.depth_target),
+                          int(description.cull_back_faces), int(description.cull_front_faces), description.samples})
+    key.add(value);
+  key.add(description.line_width);
+  return key.value();
+}
+
+Result<std::shared_ptr<PipelineObject>> make_pipeline(Device::Impl& device, const GraphicsDescription& description) {
+  CUTICLE_ASSIGN(auto object, make_layout(device, description.interface, k_stages));
+  CUTICLE_TRY(create_pipeline(*object, description));
+  return object;
+}
+
 }  // namespace
 
 GraphicsPipeline::GraphicsPipeline() = default;
@@ -164,10 +184,15 @@ GraphicsPipeline& GraphicsPipeline::operator=(GraphicsPipeline&&) noexcept = def
 
 Result<GraphicsPipeline> Device::make_graphics(const GraphicsDescription& description) {
   CUTICLE_TRY(check(*impl_, description));
-  CUTICLE_ASSIGN(auto object, make_layout(shared_from_this(), description.interface, k_stages));
-  CUTICLE_TRY(create_pipeline(*object, description));
+  const std::uint64_t key = key_of(description);
+  std::shared_ptr<PipelineObject> object = impl_->pipelines.find(key);
+  if (!object) {
+    CUTICLE_ASSIGN(object, make_pipeline(*impl_, description));
+    impl_->pipelines.keep(key, object);
+  }
   GraphicsPipeline pipeline;
-  pipeline.impl_ = std::make_unique<GraphicsPipeline::Impl>(GraphicsPipeline::Impl{std::move(object)});
+  pipeline.impl_ =
+      std::make_unique<GraphicsPipeline::Impl>(GraphicsPipeline::Impl{shared_from_this(), std::move(object)});
   return pipeline;
 }
 

@@ -14,10 +14,13 @@ Result<void> within(std::string_view what, std::uint32_t count, std::uint32_t li
 
 Result<void> check_limits(const Device::Impl& device, const ShaderInterface& interface) {
   CUTICLE_TRY(within("bytes of push constants", interface.push_constant_bytes, 128));
-  CUTICLE_EXPECT(std::ranges::all_of(interface.texels, [&](const TexelBinding& texel) {
-    return texel.binding < interface.storage_buffers && texel.format != TextureFormat::rgba8 &&
-           texel.format != TextureFormat::depth32f;
-  }), "texels are read from a buffer, in a format that every device reads there");
+  CUTICLE_EXPECT(std::ranges::all_of(interface.texels,
+                                     [&](const TexelBinding& texel) {
+                                       return texel.binding < interface.storage_buffers &&
+                                              texel.format != TextureFormat::rgba8 &&
+                                              texel.format != TextureFormat::depth32f;
+                                     }),
+                 "texels are read from a buffer, in a format that every device reads there");
   CUTICLE_TRY(within("storage buffers", interface.storage_buffers, device.limits.maxPerStageDescriptorStorageBuffers));
   return within("textures", interface.textures, device.limits.maxPerStageDescriptorSampledImages);
 }
@@ -26,17 +29,17 @@ std::vector<VkDescriptorSetLayoutBinding> bindings_of(const PipelineObject& obje
   std::vector<VkDescriptorSetLayoutBinding> bindings;
   const ShaderInterface& interface = object.interface;
   for (std::uint32_t i = 0; i < interface.storage_buffers + interface.textures; ++i)
-    bindings.push_back({i,
-                        i < interface.storage_buffers ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
-                                                      : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-                        1, object.stages, nullptr});
+    bindings.push_back(
+        {i,
+         i < interface.storage_buffers ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+         1, object.stages, nullptr});
   for (const TexelBinding& texel : interface.texels)
     bindings[texel.binding].descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
   return bindings;
 }
 
 Result<void> create_set_layout(PipelineObject& object) {
-  Device::Impl& device = *object.device->impl();
+  Device::Impl& device = *object.device;
   const std::vector<VkDescriptorSetLayoutBinding> bindings = bindings_of(object);
   VkDescriptorSetLayoutCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
@@ -47,7 +50,7 @@ Result<void> create_set_layout(PipelineObject& object) {
 }
 
 Result<void> create_pipeline_layout(PipelineObject& object) {
-  Device::Impl& device = *object.device->impl();
+  Device::Impl& device = *object.device;
   const VkPushConstantRange range{object.stages, 0, object.interface.push_constant_bytes};
   VkPipelineLayoutCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
@@ -62,17 +65,28 @@ Result<void> create_pipeline_layout(PipelineObject& object) {
 }  // namespace
 
 PipelineObject::~PipelineObject() {
-  Device::Impl& owner = *device->impl();
-  owner.vk.vkDestroyPipeline(owner.device, pipeline, nullptr);
-  owner.vk.vkDestroyPipelineLayout(owner.device, layout, nullptr);
-  owner.vk.vkDestroyDescriptorSetLayout(owner.device, set_layout, nullptr);
+  device->vk.vkDestroyPipeline(device->device, pipeline, nullptr);
+  device->vk.vkDestroyPipelineLayout(device->device, layout, nullptr);
+  device->vk.vkDestroyDescriptorSetLayout(device->device, set_layout, nullptr);
 }
 
-Result<std::shared_ptr<PipelineObject>> make_layout(std::shared_ptr<Device> device, const ShaderInterface& interface,
+void add_interface(ContentKey& key, const ShaderInterface& interface) {
+  key.add(interface.storage_buffers);
+  key.add(interface.textures);
+  key.add(interface.push_constant_bytes);
+  key.add(std::span<const std::uint32_t>(interface.specialization));
+  key.add(interface.texels.size());
+  for (const TexelBinding& texel : interface.texels) {
+    key.add(texel.binding);
+    key.add(int(texel.format));
+  }
+}
+
+Result<std::shared_ptr<PipelineObject>> make_layout(Device::Impl& device, const ShaderInterface& interface,
                                                     VkShaderStageFlags stages) {
-  CUTICLE_TRY(check_limits(*device->impl(), interface));
+  CUTICLE_TRY(check_limits(device, interface));
   auto object = std::make_shared<PipelineObject>();
-  object->device = std::move(device);
+  object->device = &device;
   object->interface = interface;
   object->stages = stages;
   CUTICLE_TRY(create_set_layout(*object));

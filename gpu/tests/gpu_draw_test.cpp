@@ -138,6 +138,29 @@ TEST(GpuDraw, DepthComparedForEquality_DrawsOnlyWhereItWasPrimed) {
   EXPECT_EQ(drawn({{cover(0.5f, k_red), with_depth()}, {cover(0.4f, k_green), equal}}, true).at(8, 8), k_green);
 }
 
+TEST(GpuDraw, PipelinesThatDifferInOneThing_AreNotShared) {
+  Device& device = shared_device();
+  std::vector<GraphicsDescription> different(9, with_depth());
+  different[1].topology = Topology::lines;
+  different[2].blend = BlendMode::alpha;
+  different[3].depth_compare = DepthCompare::equal;
+  different[4].depth_write = false;
+  different[5].cull_back_faces = true;
+  different[6].cull_front_faces = true;
+  different[7].color_formats = {TextureFormat::rgba16f};
+  different[8].fragment_spirv = {};
+  different[8].color_formats = {};
+  for (const GraphicsDescription& each : different) must(device.make_graphics(each));
+  const std::size_t before = device.pipelines_made();
+  for (const GraphicsDescription& each : different) must(device.make_graphics(each));
+  EXPECT_EQ(device.pipelines_made(), before) << "made again, shared";
+  for (GraphicsDescription each : different) {
+    each.interface.push_constant_bytes = 64;
+    must(device.make_graphics(each));
+  }
+  EXPECT_EQ(device.pipelines_made(), before + different.size()) << "each its own";
+}
+
 TEST(GpuDraw, CulledFaces_AreNotDrawn) {
   GraphicsDescription description = plain();
   description.cull_back_faces = true;

@@ -46,6 +46,47 @@ TEST(GpuKernel, PushConstantsAndSpecialization_ReachTheShader) {
   for (std::size_t i = 0; i < data.size(); ++i) EXPECT_EQ(result[i], data[i] * 3 + 7);
 }
 
+TEST(GpuKernel, MadeAgain_SharesItsPipeline) {
+  Device& device = shared_device();
+  const std::size_t none = device.pipelines_made();
+  const ShaderInterface interface{
+      .storage_buffers = 2, .push_constant_bytes = sizeof(ScaleConstants), .specialization = {64, 1234}};
+  must(device.make_kernel(scale_comp, interface));
+  const std::size_t one = device.pipelines_made();
+  EXPECT_EQ(one, none + 1);
+  must(device.make_kernel(std::vector<std::uint32_t>(scale_comp, std::end(scale_comp)), interface));
+  EXPECT_EQ(device.pipelines_made(), one) << "the same code elsewhere, after the first kernel's end";
+  std::vector<ShaderInterface> others(5, interface);
+  others[0].specialization[1] = 1235;
+  others[1].specialization.pop_back();
+  others[2].storage_buffers = 3;
+  others[3].push_constant_bytes = sizeof(ScaleConstants) + 4;
+  others[4].textures = 1;
+  for (const ShaderInterface& other : others) must(device.make_kernel(scale_comp, other));
+  EXPECT_EQ(device.pipelines_made(), one + others.size());
+}
+
+TEST(GpuKernel, MoreThanAreKept_WorkAsBefore) {
+  const std::shared_ptr<Device> device = open_device();
+  const Buffer source = must(make_buffer_from<float>(*device, ramp(1))), target = must(device->make_buffer(4));
+  const auto made = [&](std::uint32_t offset) {
+    return must(device->make_kernel(scale_comp, {.storage_buffers = 2,
+                                                 .push_constant_bytes = sizeof(ScaleConstants),
+                                                 .specialization = {64, offset}}));
+  };
+  const Kernel first = made(0);
+  for (std::uint32_t offset = 1; offset <= 600; ++offset) made(offset);
+  EXPECT_EQ(device->pipelines_made(), 601u);
+  made(600);
+  EXPECT_EQ(device->pipelines_made(), 601u) << "the last are kept";
+  made(1);
+  EXPECT_EQ(device->pipelines_made(), 602u) << "the first go";
+  Commands commands = device->record();
+  scale(commands, first, source, target, 3);
+  must(device->submit(std::move(commands)));
+  EXPECT_EQ(must(read_buffer<float>(*device, target, 1))[0], 3) << "what is in use stays";
+}
+
 TEST(GpuKernel, EachDispatch_SeesWhatTheOneBeforeWrote) {
   Device& device = shared_device();
   const std::vector<float> data = ramp(20000);

@@ -1,5 +1,6 @@
 #pragma once
 // A number that stands for the content of what a result was made of: equal inputs have equal keys.
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <span>
@@ -7,7 +8,7 @@
 
 #include "core/view.h"
 
-namespace cuticle::plan {
+namespace cuticle {
 
 /// FNV-1a over 64-bit words (a last word filled up with zeros), after `key`. Two contents that differ share a key with
 /// a chance of about 2^-64.
@@ -45,4 +46,4 @@ class ContentKey {
   std::uint64_t key_ = 0xcbf29ce484222325ull;
 };
 
-}  // namespace cuticle::plan
+}  // namespace cuticle
