@@ -49,7 +49,7 @@ void add_registered(CLI::App& study, Context& context, const study::StudyEntry& 
         ->add_option(option.positional ? option.name : "--" + option.name, options->request.options.at(option.name),
                      option.help)
         ->capture_default_str();
-  command->add_flag("--quick", options->request.quick, "a reduced form, some seconds");
+  command->add_flag("--quick", options->request.quick, "a reduced form, for a first look");
   command->callback([&context, options] {
     if (context.action) return;
     context.action = [&context, options] {

@@ -28,7 +28,7 @@ const StudyEntry& lobes_entry() {
                                 .options = {{"models", "all", "models, a,b,c, or all"},
                                             {"hair", "blond", "physical fibre that every model is mapped to"}},
                                 .declare = declare_lobes,
-                                .quick_seconds = 10,
+                                .quick_seconds = 29,
                                 .seconds = 240};
   return entry;
 }

@@ -48,7 +48,7 @@ const StudyEntry& measured_entry() {
                   {"hair", "blond", "fibre of the synthetic measurement"},
                   {"write", "", "file that the synthetic measurement is written to"}},
       .declare = declare_measured,
-      .quick_seconds = 8,
+      .quick_seconds = 10,
       .seconds = 400};
   return entry;
 }

@@ -39,7 +39,7 @@ const StudyEntry& models_entry() {
                                             {"hair", "brown", "physical fibre of all models"},
                                             {"truth-model", "huang", "model of the truth"}},
                                 .declare = declare_models,
-                                .quick_seconds = 12,
+                                .quick_seconds = 29,
                                 .seconds = 600};
   return entry;
 }

@@ -105,7 +105,7 @@ const StudyEntry& picture_entry() {
                   {"pixels", "", "width of the pictures; without it half of the scene's, with --quick a quarter"},
                   {"samples", "", "paths of a pixel; without it 256, with --quick 48"}},
       .declare = declare_picture,
-      .quick_seconds = 20,
+      .quick_seconds = 56,
       .seconds = 300};
   return entry;
 }

@@ -220,7 +220,7 @@ const StudyEntry& plan_entry() {
                   {"parts", "shadow,coverage,shading,motion",
                    "measure the errors of these parts; the file keeps what it has of others"}},
       .declare = declare_plan,
-      .quick_seconds = 60,
+      .quick_seconds = 35,
       .seconds = 180};
   return entry;
 }

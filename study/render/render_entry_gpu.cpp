@@ -41,7 +41,7 @@ const StudyEntry& render_entry() {
                   {"grooms", "blond,curls,fur",
                    "further grooms of the ladder, still and moving, a,b,c; not with --quick"}},
       .declare = declare_render,
-      .quick_seconds = 30,
+      .quick_seconds = 11,
       .seconds = 1800};
   return entry;
 }
