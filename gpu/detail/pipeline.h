@@ -30,6 +30,16 @@ struct GraphicsPipeline::Impl {
 Result<std::shared_ptr<PipelineObject>> make_layout(Device::Impl& device, const ShaderInterface& interface,
                                                     VkShaderStageFlags stages);
 
+/// The device's pipeline with this key, which stands for all that `make` makes it of; made where there is none.
+template <class Make>
+Result<std::shared_ptr<PipelineObject>> shared_pipeline(Device::Impl& device, const ContentKey& key, const Make& make) {
+  std::shared_ptr<PipelineObject> object = device.pipelines.find(key.value());
+  if (object) return object;
+  CUTICLE_ASSIGN(object, make());
+  device.pipelines.keep(key.value(), object);
+  return object;
+}
+
 /// What a pipeline's interface adds to its key.
 void add_interface(ContentKey& key, const ShaderInterface& interface);
 

@@ -31,11 +31,7 @@ Result<Kernel> Device::make_kernel(std::span<const std::uint32_t> spirv, const S
   ContentKey key;
   key.add(spirv);
   add_interface(key, interface);
-  std::shared_ptr<PipelineObject> object = impl_->pipelines.find(key.value());
-  if (!object) {
-    CUTICLE_ASSIGN(object, make_pipeline(*impl_, spirv, interface));
-    impl_->pipelines.keep(key.value(), object);
-  }
+  CUTICLE_ASSIGN(auto object, shared_pipeline(*impl_, key, [&] { return make_pipeline(*impl_, spirv, interface); }));
   Kernel kernel;
   kernel.impl_ = std::make_unique<Kernel::Impl>(Kernel::Impl{shared_from_this(), std::move(object)});
   return kernel;

@@ -155,7 +155,7 @@ Result<void> create_pipeline(PipelineObject& object, const GraphicsDescription& 
       "vkCreateGraphicsPipelines");
 }
 
-std::uint64_t key_of(const GraphicsDescription& description) {
+ContentKey key_of(const GraphicsDescription& description) {
   ContentKey key;
   key.add(description.vertex_spirv);
   key.add(description.fragment_spirv);
@@ -166,7 +166,7 @@ std::uint64_t key_of(const GraphicsDescription& description) {
                           int(description.cull_back_faces), int(description.cull_front_faces), description.samples})
     key.add(value);
   key.add(description.line_width);
-  return key.value();
+  return key;
 }
 
 Result<std::shared_ptr<PipelineObject>> make_pipeline(Device::Impl& device, const GraphicsDescription& description) {
@@ -184,12 +184,8 @@ GraphicsPipeline& GraphicsPipeline::operator=(GraphicsPipeline&&) noexcept = def
 
 Result<GraphicsPipeline> Device::make_graphics(const GraphicsDescription& description) {
   CUTICLE_TRY(check(*impl_, description));
-  const std::uint64_t key = key_of(description);
-  std::shared_ptr<PipelineObject> object = impl_->pipelines.find(key);
-  if (!object) {
-    CUTICLE_ASSIGN(object, make_pipeline(*impl_, description));
-    impl_->pipelines.keep(key, object);
-  }
+  CUTICLE_ASSIGN(auto object,
+                 shared_pipeline(*impl_, key_of(description), [&] { return make_pipeline(*impl_, description); }));
   GraphicsPipeline pipeline;
   pipeline.impl_ =
       std::make_unique<GraphicsPipeline::Impl>(GraphicsPipeline::Impl{shared_from_this(), std::move(object)});

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "gpu/detail/pipeline.h"
 
 namespace cuticle::gpu {

@@ -140,7 +140,7 @@ TEST(GpuDraw, DepthComparedForEquality_DrawsOnlyWhereItWasPrimed) {
 
 TEST(GpuDraw, PipelinesThatDifferInOneThing_AreNotShared) {
   Device& device = shared_device();
-  std::vector<GraphicsDescription> different(9, with_depth());
+  std::vector<GraphicsDescription> different(10, with_depth());
   different[1].topology = Topology::lines;
   different[2].blend = BlendMode::alpha;
   different[3].depth_compare = DepthCompare::equal;
@@ -150,6 +150,7 @@ TEST(GpuDraw, PipelinesThatDifferInOneThing_AreNotShared) {
   different[7].color_formats = {TextureFormat::rgba16f};
   different[8].fragment_spirv = {};
   different[8].color_formats = {};
+  different[9].samples = device.info().sample_counts.back();
   for (const GraphicsDescription& each : different) must(device.make_graphics(each));
   const std::size_t before = device.pipelines_made();
   for (const GraphicsDescription& each : different) must(device.make_graphics(each));

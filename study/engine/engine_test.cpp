@@ -82,7 +82,7 @@ TEST(Engine, MidpointRule_ErrorsFallWithTheSquareOfTheCost) {
   Made run = run_of({{"midpoint"}});
   auto& points = run.result.groups[0].points;
   EXPECT_NEAR(points[0].metrics[0].all.mean.value / points[1].metrics[0].all.mean.value, 16, 0.3);
-  // The cost by the count of steps: a busy machine's times are off by up to half (an exponent of -2.6 was seen).
+  // The cost by the count of steps: times of a busy machine are not in proportion to it.
   for (auto& point : points) point.time.units.value = std::strtod(point.knobs[0].value.c_str(), nullptr);
   const Json exponents = conclusions_json(run.study, run.result)["groups"][0]["exponents"];
   ASSERT_EQ(exponents.size(), 1u);
