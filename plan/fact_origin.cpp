@@ -47,6 +47,7 @@ constexpr std::pair<std::string_view, std::string_view> k_origins[] = {
     {"strands_by_sight", "render.method, passes.strands_in_sight"},
     {"strands_interpolated", "groom"},
     {"surfaces", "head, floor"},
+    {"surfaces_cast", "shadow, passes.surface_shadow"},
     {"surfaces_changed", "measured: a hash of the places of head, skin and fins"},
     {"view_changed", "measured: the camera, and passes that gather frames"},
 };

@@ -7,6 +7,7 @@
 #include "render/passes/cull_strands/cull_strands.h"
 #include "render/passes/seen_vertices/seen_vertices.h"
 #include "render/passes/strands_in_sight/strands_in_sight.h"
+#include "render/passes/surface_shadow/surface_shadow.h"
 #include "render/passes/tile_sort/tile_sort.h"
 #include "shadows/channels.h"
 
@@ -126,6 +127,14 @@ bool is_sliced(const scene::Scene& scene) {
   return given != scene.passes.end() && registry::from_values<render::tile_sort::Parameters>(given->second).slices > 0;
 }
 
+/// Where hair casts on hair, it and surfaces cast on each other.
+registry::Fact surfaces_cast_fact(const scene::Scene& scene) {
+  using Parameters = render::surface_shadow::Parameters;
+  if (is_refused<Parameters>(scene)) return {false, "the scene wants no shadows between hair and surfaces"};
+  if (scene.passes.contains(Parameters::name)) return asked(true, Parameters::name);
+  return {scene.shadow.has_value(), scene.shadow ? "the scene has shadows" : "the scene names no shadow method"};
+}
+
 void add_culling(const scene::Scene& scene, registry::Facts& facts) {
   const bool as_primitives = scene.render_method == "lines" || scene.render_method == "quads",
              strand_by_strand = as_primitives || scene.render_method == "tiles",
@@ -190,6 +199,7 @@ registry::Facts facts_of(const scene::Scene& scene) {
   facts["fins"] = fins_fact(scene);
   facts["head"] = head_fact(scene);
   facts["floor"] = {scene.floor.has_value(), scene.floor ? "the scene has a floor" : "the scene has no floor"};
+  facts["surfaces_cast"] = surfaces_cast_fact(scene);
   facts["surfaces"] = facts[facts["floor"].holds ? "floor" : "head"];
   facts["character"] = character_fact(scene);
   facts["output_color"] = {scene.outputs.color, scene.outputs.color ? "a picture is wanted" : "no picture is wanted"};

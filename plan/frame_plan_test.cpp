@@ -61,7 +61,7 @@ TEST(FramePlan, CameraAloneMoves_KeepsStrands) {
   measures.hair_changed = measures.surfaces_changed = {false, "as it was"};
   EXPECT_THAT(running(plan_frame(plan, 3, measures)),
               testing::ElementsAre("bake_tables", "classic", "colliders", "gravity", "strands_in_sight", "opacity_map",
-                                   "head", "cull_strands", "lines", "resolve"));
+                                   "surface_shadow", "head", "cull_strands", "lines", "resolve"));
 }
 
 TEST(FramePlan, HairOutOfView_DrawsSurfacesAlone) {

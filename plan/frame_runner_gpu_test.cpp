@@ -204,11 +204,13 @@ TEST(FrameRunner, FewerThickerCasters_TakeAsMuchLight) {
 }
 
 // A quarter of the strands is drawn, half of them cast for all: mean transmittance where hair is seen, of the same
-// strands. Each stands for two fibres, whose shadow on each other is left out with its own: measured .033 of the shadow,
-// and .187 where the quarter alone casts (strands in an order by chance).
+// strands. Each stands for two fibres, whose shadow on each other is left out with its own: measured .033 of the
+// shadow, and .187 where the quarter alone casts (strands in an order by chance).
 TEST(FrameRunner, LevelOfDetail_CastsAsMuchAsAll) {
-  constexpr std::string_view all = R"("outputs": {"aovs": true})",
-                             level = R"("outputs": {"aovs": true}, "passes": {"quads": {"full_px": 4000}})";
+  constexpr std::string_view
+      all = R"("outputs": {"aovs": true}, "passes": {"surface_shadow": {"wanted": false}})",
+      level =
+          R"("outputs": {"aovs": true}, "passes": {"quads": {"full_px": 4000}, "surface_shadow": {"wanted": false}})";
   const auto reached = [](const Image& layers) {
     double sum = 0, seen = 0;
     for (std::size_t p = k_strand; p < layers.pixels.size(); p += layers.channel_names.size()) {

@@ -43,9 +43,10 @@ std::string why_left_out(const Plan& plan, std::string_view name) {
 }
 
 TEST(Plan, FullScene_RunsStagesInOrder) {
-  EXPECT_THAT(names(planned(k_full)), testing::ElementsAre("bake_tables", "classic", "colliders", "gravity",
-                                                           "smooth_strands", "interpolate_strands", "strands_in_sight",
-                                                           "opacity_map", "head", "cull_strands", "lines", "resolve"));
+  EXPECT_THAT(names(planned(k_full)),
+              testing::ElementsAre("bake_tables", "classic", "colliders", "gravity", "smooth_strands",
+                                   "interpolate_strands", "strands_in_sight", "opacity_map", "surface_shadow", "head",
+                                   "cull_strands", "lines", "resolve"));
 }
 
 TEST(Plan, RenderMethod_DemandsItsOwnPasses) {
@@ -121,6 +122,24 @@ TEST(Plan, NoShadowMethod_HasNoShadow) {
   const Plan plan = planned(R"("lights": [{"to_light": [0, 1, 0], "irradiance": [1, 1, 1]}])");
   EXPECT_EQ(find_pass(plan, "opacity_map"), nullptr);
   EXPECT_EQ(why_left_out(plan, "opacity_map"), "the scene names no shadow method");
+}
+
+TEST(Plan, ShadowsOfSurfaces_AreWhereHairCastsUnlessRefused) {
+  const auto with = [](std::string_view passes) {
+    return planned(fmt::format(R"({}, "passes": {{"surface_shadow": {}}})", k_full, passes));
+  };
+  const Plan unsaid = planned(k_full);
+  EXPECT_THAT(find_pass(unsaid, "surface_shadow")->reason, HasSubstr("the scene has shadows"));
+  EXPECT_EQ(names(with("{}")), names(unsaid));
+  EXPECT_EQ(why_left_out(with(R"({"wanted": false})"), "surface_shadow"),
+            "the scene wants no shadows between hair and surfaces");
+  const std::string_view light = R"("lights": [{"to_light": [0, 1, 0], "irradiance": [1, 1, 1]}])";
+  EXPECT_EQ(why_left_out(planned(light), "surface_shadow"), "the scene names no shadow method");
+  EXPECT_NE(find_pass(planned(fmt::format(R"({}, "passes": {{"surface_shadow": {{}}}})", light)), "surface_shadow"),
+            nullptr)
+      << "asked for without a method";
+  EXPECT_EQ(why_left_out(planned(fmt::format(R"({}, "head": {{"present": false}})", k_full)), "surface_shadow"),
+            "the scene has no head");
 }
 
 TEST(Plan, NoColliders_HasNoCollision) {

@@ -30,6 +30,7 @@ std::string camera(const StudyRequest& request, std::string_view place, std::str
                      request.quick ? 96 : 256);
 }
 constexpr std::string_view k_light = R"(, "lights": [{"to_light": [0.3, 0.6, 1], "irradiance": [3, 3, 3]}])",
+                           k_no_surface_shadow = R"(, "passes": {"surface_shadow": {"wanted": false}})",
                            k_moves = R"(, "motion": {"bvh": "motion/head_turn.bvh"})",
                            k_quads = R"(, "render": {"method": "quads"})",
                            k_tiles = R"(, "render": {"method": "tiles"})",
@@ -37,13 +38,13 @@ constexpr std::string_view k_light = R"(, "lights": [{"to_light": [0.3, 0.6, 1],
 
 struct Ablation {
   Feature feature;
-  std::string_view beside;  ///< keys that both have
+  std::string_view beside, further = "";  ///< keys that both have
 };
 constexpr Ablation k_ablations[] = {
-    {{"opacity_map", R"(, "shadow": {"method": {"opacity_map": {}}})", ""}, k_light},
-    {{"deep_opacity", k_shadow, ""}, k_light},
-    {{"moments", R"(, "shadow": {"method": {"moments": {}}})", ""}, k_light},
-    {{"voxel", R"(, "shadow": {"method": {"voxel": {}}})", ""}, k_light},
+    {{"opacity_map", R"(, "shadow": {"method": {"opacity_map": {}}})", ""}, k_light, k_no_surface_shadow},
+    {{"deep_opacity", k_shadow, ""}, k_light, k_no_surface_shadow},
+    {{"moments", R"(, "shadow": {"method": {"moments": {}}})", ""}, k_light, k_no_surface_shadow},
+    {{"voxel", R"(, "shadow": {"method": {"voxel": {}}})", ""}, k_light, k_no_surface_shadow},
     {{"surface_shadow", R"(, "passes": {"surface_shadow": {}})", ""}, k_light},
     {{"head", "", R"(, "head": {"present": false})"}, k_light},
     {{"floor", R"(, "floor": {"height_m": -0.2})", ""}, k_light},
@@ -130,7 +131,8 @@ Result<Group> ablations(const std::shared_ptr<gpu::Device>& device, const StudyR
   for (const Ablation& ablation : k_ablations) {
     progress.update("features", done++, std::size(k_ablations));
     const auto with = [&](std::string_view keys) {
-      return start(device, request, fmt::format("{}{}{}", camera(request, k_sees_the_head), ablation.beside, keys));
+      return start(device, request,
+                   fmt::format("{}{}{}{}", camera(request, k_sees_the_head), ablation.beside, ablation.further, keys));
     };
     CUTICLE_ASSIGN(const auto on, with(ablation.feature.on));
     CUTICLE_ASSIGN(const auto off, with(ablation.feature.off));

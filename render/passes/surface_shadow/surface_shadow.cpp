@@ -10,7 +10,7 @@ namespace cuticle::render::surface_shadow {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"surface_shadow", "light", "surfaces"};
+constexpr std::string_view k_demands[] = {"surfaces_cast", "light", "surfaces"};
 constexpr Use k_uses[] = {reads<Lights>(),    reads<Surfaces>(),        reads<FibreOpacity>(),
                           reads<DrawnHair>(), may_read<HeadVertices>(), changes<HairTransmittance>(),
                           writes<Maps>()};
@@ -38,6 +38,7 @@ void describe(registry::Members& members, Parameters& p) {
           "half side of the square of a map that is averaged for a surface");
   members(p.hair_share, "hair_share", "1", 1e-3, 1,
           "of the strands that cast shadows, those that cast on surfaces, wider by as much");
+  members(p.wanted, "wanted", "false: light passes through surfaces, and hair casts nothing on them");
 }
 
 const Pass& entry() {
