@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 
+#include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
 #include "strands/growing/head_shape.h"
@@ -56,8 +57,9 @@ Mesh make_head_mesh() {
   const glm::dvec3 center(k_head_center[0], k_head_center[1], k_head_center[2]);
   Mesh mesh;
   mesh.triangles = std::move(sphere.triangles);
-  for (const glm::dvec3& direction : sphere.directions)
-    mesh.positions.emplace_back(head_surface_point(center, direction));
+  mesh.positions.resize(sphere.directions.size());
+  tbb::parallel_for(std::size_t(0), mesh.positions.size(),
+                    [&](std::size_t v) { mesh.positions[v] = head_surface_point(center, sphere.directions[v]); });
   compute_normals(mesh);
   return mesh;
 }

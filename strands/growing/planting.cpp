@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fmt/core.h>
+#include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
 #include "strands/growing/grower.h"
@@ -122,14 +123,15 @@ Result<Groom> plant_control_hairs(const Head& head, const Style& style, const Gr
   const Grower grower(head, style, grooming);
   Hairs hairs(head.scalp.positions.size());
   std::vector<std::vector<double>> lengths(hairs.size());
-  for (std::size_t v = 0; v < hairs.size(); ++v) {
+  tbb::parallel_for(std::size_t(0), hairs.size(), [&](std::size_t v) {
     const double length = grower.length_of(v);
     const std::vector<glm::dvec3> path = grower.path(v, length);
     lengths[v] = segment_lengths(grower.length_on(path, length), style.vertices - 1, style.growth);
     hairs[v] = place_vertices(path, lengths[v]);
-  }
+  });
   hairs = clumped(hairs, style);
-  for (std::size_t v = 0; v < hairs.size(); ++v) restore_lengths(hairs[v], lengths[v], grower);
+  tbb::parallel_for(std::size_t(0), hairs.size(),
+                    [&](std::size_t v) { restore_lengths(hairs[v], lengths[v], grower); });
   return to_groom(hairs, head.scalp, style.radius);
 }
 

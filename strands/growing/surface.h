@@ -24,15 +24,20 @@ class NearestSurface {
  private:
   static constexpr int k_cells_per_reach = 5;
   glm::ivec3 cell_of(const glm::dvec3& point) const;
-  const std::vector<std::uint32_t>* vertices_in(const glm::ivec3& cell) const;
+  std::size_t place_of(const glm::ivec3& cell) const;
+  void find_gaps();
+  /// No vertex lies in a cell at a smaller Chebyshev distance.
+  int first_ring(const glm::ivec3& center) const;
   /// Visits the cells at Chebyshev distance `ring`; updates the nearest vertex and its squared distance.
-  void search_ring(const glm::dvec3& point, const glm::ivec3& center, int ring, double& squared, std::uint32_t& vertex) const;
+  void search_ring(const glm::dvec3& point, const glm::ivec3& center, int ring, double& squared,
+                   std::uint32_t& vertex) const;
 
   const Mesh& mesh_;
   double reach_, cell_;
   glm::dvec3 lower_{0};
   glm::ivec3 size_{0};
   std::vector<std::vector<std::uint32_t>> cells_;
+  std::vector<int> gaps_;  ///< of each cell: Chebyshev distance to the nearest that has vertices
 };
 
 }  // namespace cuticle::strands
