@@ -127,7 +127,7 @@ bool is_sliced(const scene::Scene& scene) {
   return given != scene.passes.end() && registry::from_values<render::tile_sort::Parameters>(given->second).slices > 0;
 }
 
-/// Where hair casts on hair, it and surfaces cast on each other.
+/// By default with every shadow method, also with `none`, which is about hair on hair alone.
 registry::Fact surfaces_cast_fact(const scene::Scene& scene) {
   using Parameters = render::surface_shadow::Parameters;
   if (is_refused<Parameters>(scene)) return {false, "the scene wants no shadows between hair and surfaces"};

@@ -10,7 +10,7 @@ struct Parameters {
   double bias = 4e-3;  ///< metres
   float strand_filter = 1, surface_filter = 3;
   double hair_share = 1;
-  bool wanted = true;  ///< false: not even where hair casts on hair
+  bool wanted = true;  ///< false: not even in a scene with a shadow method
 };
 void describe(registry::Members& members, Parameters& parameters);
 
