@@ -62,14 +62,8 @@ def render(scene, out, *options, frame=0):
     return pixels(out, frame)
 
 
-def block_means(picture, side=8):
-    height, width = (n // side * side for n in picture.shape[:2])
-    blocks = picture[:height, :width, :3].reshape(height // side, side, width // side, side, 3)
-    return blocks.mean((1, 3))
-
-
 def show(name, picture, reference):
-    mine, wanted = block_means(picture), block_means(reference)
+    mine, wanted = measured_scenes.block_means(picture), measured_scenes.block_means(reference)
     lit = wanted.sum(-1) > 0.05 * wanted.sum(-1).max()
     rms = np.sqrt(((mine - wanted)[lit] ** 2).mean() / (wanted[lit] ** 2).mean())
     light = picture[..., :3].mean((0, 1)) / reference[..., :3].mean((0, 1))

@@ -84,7 +84,7 @@ def as_bytes(linear):
 
 
 def error_picture(picture, reference, scale):
-    off = against_reference.block_means(picture - reference, 4).mean(-1) * scale
+    off = measured_scenes.block_means(picture - reference, 4).mean(-1) * scale
     off = np.repeat(np.repeat(off, 4, 0), 4, 1)
     colours = np.stack([1 + np.minimum(off, 0), 1 - np.abs(off), 1 - np.maximum(off, 0)], -1)
     return (255 * np.clip(colours, 0, 1)).astype(np.uint8)
@@ -96,8 +96,8 @@ def main():
     scene = lit_scene(options)
     drawn = {way: draw(scene, way, options) for way in WAYS}
     reference = drawn["path tracing"][0]
-    hair = against_reference.block_means(reference[..., [3, 3, 3]]).min(-1) > 0.9
-    scale = 0.6 / np.percentile(against_reference.block_means(reference)[hair], 90)
+    hair = measured_scenes.block_means(reference[..., [3, 3, 3]]).min(-1) > 0.9
+    scale = 0.6 / np.percentile(measured_scenes.block_means(reference)[hair], 90)
     for way, (picture, seconds) in drawn.items():
         against_reference.show(f"{way}, {seconds:.0f} s", picture, reference)
     shown = {way: spread(picture) if way == "path tracing" else picture for way, (picture, _) in drawn.items()}

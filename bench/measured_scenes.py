@@ -92,6 +92,13 @@ def scene(name, folder, sigma_a=COLOURS["blond"], size=240, to_light=TO_LIGHT, g
     }
 
 
+def block_means(picture, side=8):
+    """Of red, green and blue over squares of `side` pixels; what is left over at the edges is not counted."""
+    height, width = (n // side * side for n in picture.shape[:2])
+    blocks = picture[:height, :width, :3].reshape(height // side, side, width // side, side, 3)
+    return blocks.mean((1, 3))
+
+
 def write(scene, path):
     with open(path, "w") as file:
         json.dump(scene, file, indent=1)

@@ -11,6 +11,7 @@ import pathlib
 import numpy
 
 import cuticle
+from measured_scenes import block_means
 
 SCENES = pathlib.Path(__file__).resolve().parent.parent / "scenes"
 BLACK = [0, 0, 0]
@@ -21,11 +22,6 @@ def light(path, way, **passes):
              "lines": {"ambient": 0, "variation": 0, "tip_variation": 0}, "resolve": {"background": BLACK}, "dual_scattering": {}}
     scene = {"$include": str(path.resolve()), "camera": {"resolution_px": [240, 240]}, "passes": {**black, **passes}}
     return cuticle.render(scene, method=way)[..., :3]
-
-
-def block_means(picture, side=8):
-    height, width = (n // side for n in picture.shape[:2])
-    return picture.reshape(height, side, width, side, 3).mean((1, 3))
 
 
 def compared(picture, paths):

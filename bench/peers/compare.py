@@ -167,7 +167,7 @@ def twice(draw):
 def show(name, mine, other):
     (picture, noise, seconds), (reference, ours_noise, ours_seconds) = other, mine
     against_reference.show(name, picture, reference)
-    blocks = against_reference.block_means(reference)
+    blocks = measured_scenes.block_means(reference)
     lit = blocks.sum(-1) > 0.05 * blocks.sum(-1).max()
     of_blocks = (noise + ours_noise) * picture[..., 0].size / 64**2 / lit.sum()  # variance of a lit block's mean
     explained = np.sqrt(of_blocks / (blocks[lit] ** 2).mean())
