@@ -1,5 +1,6 @@
 #include "render/passes/surface_shadow/surface_shadow.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "render/frame.h"
@@ -23,11 +24,27 @@ std::vector<std::string_view> method_names() {
   return names;
 }
 
-std::uint32_t one_per_light(const registry::ParameterValues&, const registry::FrameShape& shape) {
-  return shape.lights;
+constexpr int k_max_columns = 4, k_max_opacities = 3;
+
+int columns(int lights) { return std::clamp(lights, 1, k_max_columns); }
+
+std::uint32_t dispatches(const registry::ParameterValues& values, const registry::FrameShape& shape) {
+  const int resolution = registry::from_values<Parameters>(values).resolution, lights = int(shape.lights);
+  return shape.lights + hair_bands(resolution, lights, shape.max_storage_buffer_bytes);
 }
 
 }  // namespace
+
+glm::ivec2 texture_size(int resolution, int lights) {
+  return resolution * glm::ivec2(columns(lights), (std::max(lights, 1) + columns(lights) - 1) / columns(lights));
+}
+
+std::uint32_t hair_bands(int resolution, int lights, std::uint64_t max_storage_buffer_bytes) {
+  const glm::ivec2 size = texture_size(resolution, lights);
+  const std::uint64_t held = max_storage_buffer_bytes / (std::uint64_t(size.x) * sizeof(float)) / k_rows_of_a_part,
+                      wanted = (std::uint64_t(k_max_opacities * size.y) + k_rows_of_a_part - 1) / k_rows_of_a_part;
+  return std::uint32_t((wanted + held - 1) / held);
+}
 
 void describe(registry::Members& members, Parameters& p) {
   members(p.resolution, "resolution", 16, 4096, "texels of each light's maps along each side");
@@ -51,8 +68,8 @@ const Pass& entry() {
                           .demands = k_demands,
                           .stage = registry::Stage::shadow,
                           .systems = k_systems,
-                          .dispatches = one_per_light,
-                          .draws = 2,  // surfaces, hair: all lights at once
+                          .dispatches = dispatches,
+                          .draws = 1,  // surfaces, of all lights at once
                           .after = after},
                          k_uses};
   return pass;

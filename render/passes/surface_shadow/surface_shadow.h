@@ -14,6 +14,14 @@ struct Parameters {
 };
 void describe(registry::Members& members, Parameters& parameters);
 
+/// Texels of the lights' maps side by side.
+glm::ivec2 texture_size(int resolution, int lights);
+
+/// Hair is drawn into so many bands of them, one dispatch each, since a binding of a storage buffer holds so many
+/// bytes; as for the most opacities, whose maps lie one below the other. Bands begin at multiples of so many rows.
+constexpr std::uint32_t k_rows_of_a_part = 64;
+std::uint32_t hair_bands(int resolution, int lights, std::uint64_t max_storage_buffer_bytes);
+
 /// What surfaces and hair cast on each other.
 struct Maps;
 constexpr std::string_view resource_name(const Maps*) { return "surface_shadow"; }

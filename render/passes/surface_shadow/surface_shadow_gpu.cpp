@@ -14,8 +14,7 @@
 #include "shadows/light_frame.h"
 #include "strands/spline/drawn_gpu.h"
 
-#include <hair_shadow_frag.spv.h>
-#include <hair_shadow_vert.spv.h>
+#include <hair_shadow_comp.spv.h>
 #include <surface_shadow_comp.spv.h>
 #include <surface_shadow_frag.spv.h>
 #include <surface_shadow_vert.spv.h>
@@ -24,14 +23,14 @@ namespace cuticle::render::surface_shadow {
 
 namespace {
 
-constexpr int k_max_columns = 4;
-constexpr double k_margin = 2;  // texels between what casts and the border of a map
+constexpr double k_margin = 2;               // texels between what casts and the border of a map
+constexpr std::uint32_t k_one = 0x3F800000;  // 1.0f: the depth where nothing is
 
 /// As the shaders read them.
 struct HairPush {
   std::uint32_t vertices_per_strand;
   float width;
-  std::uint32_t light_count, parts;
+  std::uint32_t segment_count, light_count, parts, first_row, row_count;
   float alpha[3];
 };
 struct LookupPush {
@@ -40,8 +39,13 @@ struct LookupPush {
 };
 
 struct Kernels {
-  gpu::GraphicsPipeline surfaces, hair;
-  gpu::Kernel lookup;
+  gpu::GraphicsPipeline surfaces;
+  gpu::Kernel hair, lookup;
+};
+/// Rows of the hair's maps that one dispatch draws.
+struct Band {
+  std::uint32_t first_row, row_count;
+  gpu::Buffer depths;
 };
 struct Surface {
   gpu::Buffer positions, indices;
@@ -53,8 +57,8 @@ struct Settings {
   double bias;          ///< metres
   float strand_filter;  ///< texels
   double hair_share;
-  int columns() const { return std::min(lights, k_max_columns); }
-  glm::ivec2 texture_size() const { return resolution * glm::ivec2(columns(), (lights + columns() - 1) / columns()); }
+  glm::ivec2 size() const { return texture_size(resolution, lights); }
+  int columns() const { return size().x / resolution; }
 };
 
 std::array<glm::dvec3, 8> corners(const strands::Bounds& bounds) {
@@ -171,17 +175,33 @@ class SurfaceShadow : public GpuPass {
       : device_(std::move(device)), settings_(settings), kernels_(std::move(kernels)), surface_(std::move(surface)) {}
 
   Result<void> make_maps(const Resources& resources, float surface_filter) {
-    const gpu::TextureDescription map{settings_.texture_size(), gpu::TextureFormat::depth32f, gpu::Filter::nearest, 1,
-                                      true};
+    const gpu::TextureDescription map{settings_.size(), gpu::TextureFormat::depth32f, gpu::Filter::nearest, 1, true};
     gpu::TextureDescription hair = map;
     hair.size.y *= int(hair_channels(resources).count);
     CUTICLE_ASSIGN(maps_.surfaces, device_->make_texture(map));
     CUTICLE_ASSIGN(maps_.hair, device_->make_texture(hair));
+    CUTICLE_TRY(make_bands(hair.size));
     CUTICLE_ASSIGN(maps_.visibility,
                    device_->make_buffer(std::size_t(settings_.lights) *
                                         resources.get<DrawnHair>().strands.vertex_count * sizeof(float)));
     CUTICLE_ASSIGN(frame_, device_->make_buffer(sizeof(MapsFrame)));
     maps_.surface_filter = surface_filter;
+    return {};
+  }
+
+  /// The last may repeat rows of the one before, which changes nothing.
+  Result<void> make_bands(const glm::ivec2& size) {
+    const std::size_t row_bytes = std::size_t(size.x) * sizeof(float);
+    CUTICLE_ASSIGN(hair_depths_, device_->make_buffer(std::size_t(size.y) * row_bytes));
+    const auto rows = std::uint32_t(size.y), parts = (rows + k_rows_of_a_part - 1) / k_rows_of_a_part;
+    const std::uint32_t bands =
+        hair_bands(settings_.resolution, settings_.lights, device_->info().max_storage_buffer_bytes);
+    const std::uint32_t each = (parts + bands - 1) / bands;
+    for (std::uint32_t band = 0; band < bands; ++band) {
+      const std::uint32_t first = k_rows_of_a_part * std::min(band * each, parts - 1);
+      const std::uint32_t count = std::min(k_rows_of_a_part * each, rows - first);
+      bands_.push_back({first, count, gpu::part_of(hair_depths_, first * row_bytes, count * row_bytes)});
+    }
     return {};
   }
 
@@ -203,7 +223,6 @@ class SurfaceShadow : public GpuPass {
   }
 
   Result<void> record(gpu::Commands& commands, const Resources& resources) override {
-    constexpr std::uint32_t k_one = 0x3F800000;  // 1.0f
     if (unshadowed_)
       for (const gpu::Buffer& buffer : *unshadowed_) commands.fill(buffer, k_one);
     CUTICLE_TRY(set_frame(resources));
@@ -217,7 +236,7 @@ class SurfaceShadow : public GpuPass {
  private:
   Result<void> set_frame(const Resources& resources) {
     MapsFrame& frame = maps_.frame;
-    frame.texture_size = glm::vec2(settings_.texture_size());
+    frame.texture_size = glm::vec2(settings_.size());
     frame.resolution = std::uint32_t(settings_.resolution);
     frame.columns = std::uint32_t(settings_.columns());
     const std::vector<glm::dvec3> points = points_in_view(resources, surface_);
@@ -248,19 +267,26 @@ class SurfaceShadow : public GpuPass {
     const DrawnHair& hair = resources.get<DrawnHair>();
     const shadows::GpuStrands& casters = hair.casters;
     const shadows::Channels channels = hair_channels(resources);
-    const glm::vec3 alpha(channels.alpha[0], channels.alpha[1], channels.alpha[2]);
     const std::uint32_t segments = (hair.vertices_per_strand - 1) / casters.segment_parts,
                         all = casters.segment_count / segments;
     const auto drawn = std::max(std::min(1u, all), std::uint32_t(std::lround(settings_.hair_share * all)));
-    const HairPush push{hair.vertices_per_strand,
-                        casters.caster_width * float(all) / float(std::max(drawn, 1u)),
-                        std::uint32_t(settings_.lights),
-                        casters.segment_parts,
-                        {alpha.x, alpha.y, alpha.z}};
-    commands.begin_rendering({}, &maps_.hair);
-    commands.draw(kernels_.hair, {&frame_, casters.vertices, casters.segments}, {}, gpu::bytes_of(push),
-                  6 * segments * drawn, std::uint32_t(settings_.lights) * channels.count);
-    commands.end_rendering();
+    HairPush push{hair.vertices_per_strand,
+                  casters.caster_width * float(all) / float(std::max(drawn, 1u)),
+                  segments * drawn,
+                  std::uint32_t(settings_.lights),
+                  casters.segment_parts,
+                  0,
+                  0,
+                  {float(channels.alpha[0]), float(channels.alpha[1]), float(channels.alpha[2])}};
+    const gpu::Groups groups = gpu::groups_for(std::size_t(push.segment_count) * push.light_count);
+    commands.fill(hair_depths_, k_one);
+    for (const Band& band : bands_) {
+      push.first_row = band.first_row;
+      push.row_count = band.row_count;
+      commands.dispatch(kernels_.hair, {&frame_, casters.vertices, casters.segments, &band.depths}, {},
+                        gpu::bytes_of(push), groups.x, groups.y);
+    }
+    commands.copy(hair_depths_, maps_.hair);
   }
 
   void look_up(gpu::Commands& commands, const Resources& resources, int light) const {
@@ -282,7 +308,8 @@ class SurfaceShadow : public GpuPass {
   Kernels kernels_;
   Surface surface_;
   Maps maps_;
-  gpu::Buffer frame_;
+  gpu::Buffer frame_, hair_depths_;
+  std::vector<Band> bands_;
   std::optional<std::vector<gpu::Buffer>> unshadowed_;  ///< a transmittance per light, where no method made them
 };
 
@@ -301,11 +328,11 @@ Result<Kernels> make_kernels(gpu::Device& device, const Resources& resources) {
   Kernels kernels;
   const gpu::ShaderInterface surfaces{3, 0, sizeof(glm::mat4)};
   const gpu::ShaderInterface hair{
-      3, 0, sizeof(HairPush), with_channels({}, hair_channels(resources)), {strands::drawn_texels(1)}};
+      4, 0, sizeof(HairPush), with_channels({}, hair_channels(resources)), {strands::drawn_texels(1)}};
   const gpu::ShaderInterface lookup{
       6, 1, sizeof(LookupPush), with_channels({}, transmittance_of(resources).channels), {strands::drawn_texels(1)}};
   CUTICLE_ASSIGN(kernels.surfaces, make_depth_pipeline(device, surface_shadow_vert, surface_shadow_frag, surfaces));
-  CUTICLE_ASSIGN(kernels.hair, make_depth_pipeline(device, hair_shadow_vert, hair_shadow_frag, hair));
+  CUTICLE_ASSIGN(kernels.hair, device.make_kernel(hair_shadow_comp, hair));
   CUTICLE_ASSIGN(kernels.lookup, device.make_kernel(surface_shadow_comp, lookup));
   return kernels;
 }

@@ -58,7 +58,8 @@ glm::dvec3 to_light_from(const glm::dvec3& point, const Light& light) {
 /// The plate, strands and lights in a frame, with what the pass makes of them.
 class Frame {
  public:
-  Frame(const strands::Groom& groom, const std::vector<Light>& lights, double fibre_alpha, double hair_share = 1)
+  Frame(const strands::Groom& groom, const std::vector<Light>& lights, double fibre_alpha, double hair_share = 1,
+        int resolution = 1024)
       : plate_(plate()), vertices_(upload(packed(groom))), segments_(upload(firsts(groom))) {
     resources_.edit<Lights>().all = lights;
     resources_.edit<FibreOpacity>().alpha = glm::dvec3(fibre_alpha);
@@ -70,8 +71,8 @@ class Frame {
     for (std::size_t k = 0; k < lights.size(); ++k)
       reached_.push_back(upload(std::vector<float>(groom.vertex_count(), 0.5f)));
     for (const gpu::Buffer& buffer : reached_) resources_.edit<HairTransmittance>().reached.push_back(&buffer);
-    resources_.parameters["surface_shadow"] = *registry::parse_assignments(surface_shadow::entry().entry.parameters,
-                                                                           fmt::format("hair_share={}", hair_share));
+    resources_.parameters["surface_shadow"] = *registry::parse_assignments(
+        surface_shadow::entry().entry.parameters, fmt::format("hair_share={},resolution={}", hair_share, resolution));
     const auto entry = std::ranges::find(gpu_passes(), "surface_shadow", &GpuPassEntry::name);
     pass_ = std::move(*(*entry)->create(device(), resources_));
     pass_->publish(resources_);
@@ -199,6 +200,7 @@ TEST(SurfaceShadow, EdgeOfAPlate_FadesOverTheFilter) {
 
 struct Share {
   double share, most_error;
+  int resolution = 1024;
 };
 class HairShare : public testing::TestWithParam<Share> {};
 
@@ -207,7 +209,8 @@ TEST_P(HairShare, StrandsOverAPlate_CastAsMuchAsRaysFind) {
   const Light point_light = light({0.3, 1, 0.2});
   constexpr int k_size = 32, k_block = 8;
   constexpr double k_alpha = 0.5;
-  const std::vector<float> picture = Frame(groom, {point_light}, k_alpha, GetParam().share).picture(k_size);
+  const std::vector<float> picture =
+      Frame(groom, {point_light}, k_alpha, GetParam().share, GetParam().resolution).picture(k_size);
   std::vector<glm::vec3> points;
   for (int y = 0; y < k_size; ++y)
     for (int x = 0; x < k_size; ++x)
@@ -236,8 +239,25 @@ TEST_P(HairShare, StrandsOverAPlate_CastAsMuchAsRaysFind) {
   EXPECT_NEAR(bias / (k_blocks * k_blocks), 0, 0.03);
 }
 
-// Of all, and of a quarter that is four times as wide: 100 strands leave .059 of grain.
-INSTANTIATE_TEST_SUITE_P(Shares, HairShare, testing::Values(Share{1, 0.03}, Share{0.25, 0.08}));
+// Of all, and of a quarter that is four times as wide: 100 strands leave .059 of grain. Maps of 4096 x 4096 are drawn
+// in two bands where a binding holds 128 MiB; the filter is of texels, which are smaller, and leaves
+// .030.
+INSTANTIATE_TEST_SUITE_P(Shares, HairShare, testing::Values(Share{1, 0.03}, Share{0.25, 0.08}, Share{1, 0.04, 4096}));
+
+TEST(SurfaceShadow, BandsOfAnyMaps_AreNoLargerThanABinding) {
+  constexpr std::uint64_t k_binding = 134217728;
+  EXPECT_EQ(surface_shadow::hair_bands(1024, 8, k_binding), 1u) << "the default, with as many lights as there may be";
+  EXPECT_EQ(surface_shadow::hair_bands(4096, 1, k_binding), 2u);
+  for (int resolution : {16, 100, 1024, 3001, 4096})
+    for (int lights = 1; lights <= int(k_max_lights); ++lights) {
+      const glm::ivec2 size = surface_shadow::texture_size(resolution, lights);
+      const std::uint64_t bands = surface_shadow::hair_bands(resolution, lights, k_binding),
+                          parts = (3 * std::uint64_t(size.y) + surface_shadow::k_rows_of_a_part - 1) /
+                                  surface_shadow::k_rows_of_a_part;
+      EXPECT_LE((parts + bands - 1) / bands * surface_shadow::k_rows_of_a_part * std::uint64_t(size.x) * 4, k_binding)
+          << resolution << ", " << lights;
+    }
+}
 
 }  // namespace
 }  // namespace cuticle::render::surface_shadow_gpu_test
