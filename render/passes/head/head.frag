@@ -13,9 +13,17 @@ layout(std430, set = 0, binding = 3) readonly buffer Frame {
   uint map_resolution, map_columns;  // 0: no hair casts
   float map_filter, bleed;
 };
-layout(set = 0, binding = 4) uniform sampler2D hair_map;
+layout(set = 0, binding = 4) uniform usamplerBuffer hair_map;  // bits of depths, row by row
 layout(set = 0, binding = 5) uniform sampler2D surface_map;
 #include "render/passes/surface_shadow/map_lookup.glsl"
+#define UNSHADOWED past_hair_in
+#define MAP_DEPTH(x, y) uintBitsToFloat(texelFetch(hair_map, (y) * int(map_resolution * map_columns) + (x)).r)
+#include "render/passes/surface_shadow/unshadowed.glsl"
+#ifdef UNDER_SURFACES
+#define UNSHADOWED past_surfaces_in
+#define MAP_DEPTH(x, y) texelFetch(surface_map, ivec2(x, y), 0).r
+#include "render/passes/surface_shadow/unshadowed.glsl"
+#endif
 #define CHANNEL_CONSTANT 0
 #include "render/channels.glsl"
 
@@ -26,9 +34,9 @@ layout(location = 0) out vec4 color;
 
 // `which`: of the opacities, whose maps lie one below the other.
 float past_hair_of(vec3 at, uint light, uint which) {
-  const uint rows = uint(textureSize(hair_map, 0).y) / (map_resolution * k_different);
+  const uint rows = (uint(albedo_1.w) + map_columns - 1u) / map_columns;
   at.y += float(which * rows * map_resolution);
-  return unshadowed(hair_map, at, light + which * rows * map_columns, map_resolution, map_columns, map_filter);
+  return past_hair_in(at, light + which * rows * map_columns, map_resolution, map_columns, map_filter);
 }
 
 vec3 reached(uint light) {
@@ -40,7 +48,7 @@ vec3 reached(uint light) {
     past_hair = vec3(of[k_of_red], of[k_of_green], of[k_of_blue]);
   }
 #ifdef UNDER_SURFACES
-  past_hair *= unshadowed(surface_map, at, light, map_resolution, map_columns, map_filter);
+  past_hair *= past_surfaces_in(at, light, map_resolution, map_columns, map_filter);
 #endif
   return past_hair;
 }

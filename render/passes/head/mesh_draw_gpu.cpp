@@ -55,10 +55,14 @@ Result<MeshDraw> MeshDraw::create(gpu::Device& device, const Resources& resource
   description.vertex_spirv = head_vert;
   description.fragment_spirv = fragment;
   description.cull_back_faces = one_sided;
-  description.interface = {4, 2, sizeof(glm::mat4),
-                           with_channels({}, shadows::different_channels(resources.get<FibreOpacity>().alpha))};
+  description.interface = {5,
+                           1,
+                           sizeof(glm::mat4),
+                           with_channels({}, shadows::different_channels(resources.get<FibreOpacity>().alpha)),
+                           {{4, gpu::TextureFormat::r32u}}};
   CUTICLE_ASSIGN(draw.pipeline_, device.make_graphics(description));
   CUTICLE_ASSIGN(draw.no_map_, device.make_texture({}));
+  CUTICLE_ASSIGN(draw.no_hair_, device.make_texel_buffer(sizeof(std::uint32_t), gpu::TextureFormat::r32u));
   CUTICLE_ASSIGN(draw.frame_, device.make_buffer(sizeof(DiffuseFrame)));
   const std::span<const std::uint32_t> indices(triangles.data()->data(), triangles.size() * 3);
   CUTICLE_ASSIGN(draw.indices_, gpu::make_buffer_from<std::uint32_t>(device, indices));
@@ -73,9 +77,8 @@ Result<void> MeshDraw::record(gpu::Device& device, gpu::Commands& commands, cons
   const glm::mat4 to_clip(drawn_world_to_clip(resources) * to_world);
   const surface_shadow::Maps* const maps = resources.find<surface_shadow::Maps>();
   begin_target(commands, resources);
-  commands.draw(pipeline_, {&positions, &normals, &indices_, &frame_},
-                {maps ? &maps->hair : &no_map_, maps ? &maps->surfaces : &no_map_}, gpu::bytes_of(to_clip),
-                index_count_);
+  commands.draw(pipeline_, {&positions, &normals, &indices_, &frame_, maps ? &maps->hair : &no_hair_},
+                {maps ? &maps->surfaces : &no_map_}, gpu::bytes_of(to_clip), index_count_);
   commands.end_rendering();
   return {};
 }

@@ -26,7 +26,8 @@ class MeshDraw {
  private:
   gpu::GraphicsPipeline pipeline_;
   gpu::Buffer indices_, frame_;
-  gpu::Texture no_map_;  ///< bound where no hair casts
+  gpu::Buffer no_hair_;  ///< bound where no hair casts
+  gpu::Texture no_map_;
   std::uint32_t index_count_ = 0;
 };
 

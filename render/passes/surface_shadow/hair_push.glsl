@@ -5,7 +5,7 @@ layout(push_constant) uniform Push {
   uint vertices_per_strand;
   float width;  // factor on the radii
   uint segment_count, light_count;
-  uint parts;                // of a segment, which are drawn as one
-  uint first_row, row_count;  // of the texture, which this dispatch draws
-  float alpha[3];            // of one crossing: k_different of them
+  uint parts;                 // of a segment, which are drawn as one
+  uint first_row, row_count;  // of the maps, which this dispatch draws
+  float alpha[3];             // of one crossing: k_different of them
 };

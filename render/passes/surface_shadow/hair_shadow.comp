@@ -84,8 +84,9 @@ void leave(Strip strip, uint strand, ivec2 texel) {
 }
 
 void main() {
-  const uint place = invocation(), light = place / segment_count, segment = place % segment_count;
-  if (light >= light_count) return;
+  const uint place = invocation();
+  if (place >= segment_count * light_count) return;
+  const uint light = place / segment_count, segment = place % segment_count;
   const uint first = segments[segment * parts], strand = first / vertices_per_strand;
   Strip strip;
   if (!strip_of(light, first, strip)) return;

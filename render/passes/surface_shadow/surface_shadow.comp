@@ -14,6 +14,9 @@ layout(std430, set = 0, binding = 3) buffer Transmittance { float transmittance[
 layout(std430, set = 0, binding = 4) buffer OfSecond { float of_second[]; };  // transmittance of other opacities
 layout(std430, set = 0, binding = 5) buffer OfThird { float of_third[]; };
 layout(set = 0, binding = 6) uniform sampler2D map;
+#define UNSHADOWED unshadowed
+#define MAP_DEPTH(x, y) texelFetch(map, ivec2(x, y), 0).r
+#include "render/passes/surface_shadow/unshadowed.glsl"
 #define CHANNEL_CONSTANT 0
 #include "render/channels.glsl"
 layout(push_constant) uniform Push {
@@ -27,7 +30,7 @@ void main() {
   float lit = 1.0;
   if (is_finite(drawn_vertex(vertex))) {
     vec3 at = place_in_light_map(world_to_map[light] * vec4(drawn_vertex(vertex).xyz, 1.0), map_bias[light]);
-    lit = unshadowed(map, at, light, map_resolution, map_columns, half_side);
+    lit = unshadowed(at, light, map_resolution, map_columns, half_side);
   }
   visibility[light * vertex_count + vertex] = lit;
   transmittance[vertex] *= lit;

@@ -176,11 +176,8 @@ class SurfaceShadow : public GpuPass {
 
   Result<void> make_maps(const Resources& resources, float surface_filter) {
     const gpu::TextureDescription map{settings_.size(), gpu::TextureFormat::depth32f, gpu::Filter::nearest, 1, true};
-    gpu::TextureDescription hair = map;
-    hair.size.y *= int(hair_channels(resources).count);
     CUTICLE_ASSIGN(maps_.surfaces, device_->make_texture(map));
-    CUTICLE_ASSIGN(maps_.hair, device_->make_texture(hair));
-    CUTICLE_TRY(make_bands(hair.size));
+    CUTICLE_TRY(make_bands({map.size.x, map.size.y * int(hair_channels(resources).count)}));
     CUTICLE_ASSIGN(maps_.visibility,
                    device_->make_buffer(std::size_t(settings_.lights) *
                                         resources.get<DrawnHair>().strands.vertex_count * sizeof(float)));
@@ -192,7 +189,7 @@ class SurfaceShadow : public GpuPass {
   /// The last may repeat rows of the one before, which changes nothing.
   Result<void> make_bands(const glm::ivec2& size) {
     const std::size_t row_bytes = std::size_t(size.x) * sizeof(float);
-    CUTICLE_ASSIGN(hair_depths_, device_->make_buffer(std::size_t(size.y) * row_bytes));
+    CUTICLE_ASSIGN(maps_.hair, device_->make_texel_buffer(std::size_t(size.y) * row_bytes, gpu::TextureFormat::r32u));
     const auto rows = std::uint32_t(size.y), parts = (rows + k_rows_of_a_part - 1) / k_rows_of_a_part;
     const std::uint32_t bands =
         hair_bands(settings_.resolution, settings_.lights, device_->info().max_storage_buffer_bytes);
@@ -200,7 +197,7 @@ class SurfaceShadow : public GpuPass {
     for (std::uint32_t band = 0; band < bands; ++band) {
       const std::uint32_t first = k_rows_of_a_part * std::min(band * each, parts - 1);
       const std::uint32_t count = std::min(k_rows_of_a_part * each, rows - first);
-      bands_.push_back({first, count, gpu::part_of(hair_depths_, first * row_bytes, count * row_bytes)});
+      bands_.push_back({first, count, gpu::part_of(maps_.hair, first * row_bytes, count * row_bytes)});
     }
     return {};
   }
@@ -279,14 +276,13 @@ class SurfaceShadow : public GpuPass {
                   0,
                   {float(channels.alpha[0]), float(channels.alpha[1]), float(channels.alpha[2])}};
     const gpu::Groups groups = gpu::groups_for(std::size_t(push.segment_count) * push.light_count);
-    commands.fill(hair_depths_, k_one);
+    commands.fill(maps_.hair, k_one);
     for (const Band& band : bands_) {
       push.first_row = band.first_row;
       push.row_count = band.row_count;
       commands.dispatch(kernels_.hair, {&frame_, casters.vertices, casters.segments, &band.depths}, {},
                         gpu::bytes_of(push), groups.x, groups.y);
     }
-    commands.copy(hair_depths_, maps_.hair);
   }
 
   void look_up(gpu::Commands& commands, const Resources& resources, int light) const {
@@ -308,7 +304,7 @@ class SurfaceShadow : public GpuPass {
   Kernels kernels_;
   Surface surface_;
   Maps maps_;
-  gpu::Buffer frame_, hair_depths_;
+  gpu::Buffer frame_;
   std::vector<Band> bands_;
   std::optional<std::vector<gpu::Buffer>> unshadowed_;  ///< a transmittance per light, where no method made them
 };

@@ -19,9 +19,10 @@ struct MapsFrame {
 /// What other passes read of the maps.
 struct Maps {
   MapsFrame frame{};
-  gpu::Texture surfaces, hair;  ///< depth32f; of hair one below the other for each opacity of different_channels
-  gpu::Buffer visibility;       ///< of each light past the surfaces: one float per vertex, light by light
-  float surface_filter = 3;     ///< texels
+  gpu::Texture surfaces;     ///< depth32f
+  gpu::Buffer hair;          ///< the same as words, row by row; for each opacity of different_channels below the last
+  gpu::Buffer visibility;    ///< of each light past the surfaces: one float per vertex, light by light
+  float surface_filter = 3;  ///< texels
 };
 
 }  // namespace cuticle::render::surface_shadow
