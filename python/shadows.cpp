@@ -28,6 +28,7 @@ struct Asked {
   std::optional<Floats> points;
   std::optional<Triple> seen_from, camera;
   std::size_t receivers = 0;
+  double fibre_width = 1;  ///< shadows::Receivers::fibre_width
 };
 
 Probes all_vertices(const strands::Groom& groom) {
@@ -54,6 +55,12 @@ Probes places_of(const strands::Groom& groom, const Asked& asked) {
   places = all_vertices(groom);
   if (asked.seen_from) places.seen_from = vector_of(*asked.seen_from);
   return places;
+}
+
+shadows::Receivers receivers_of(const Probes& places, const Asked& asked) {
+  shadows::Receivers receivers = places.receivers();
+  receivers.fibre_width = asked.fibre_width;
+  return receivers;
 }
 
 shadows::Casters casters_of(const GroomFile& file, double alpha, const Triple& light, bool is_point_light) {
@@ -94,26 +101,30 @@ nb::dict in_dictionary(shadows::Transmittance result, const Probes& places) {
 nb::dict transmittance(const GroomFile& file, const std::string& method_name, const std::string& settings, double alpha,
                        const Triple& light, bool is_point_light, const std::optional<Floats>& points,
                        const std::optional<Triple>& seen_from, const std::optional<Triple>& camera,
-                       std::size_t receivers) {
+                       std::size_t receivers, double fibre_width) {
   const shadows::Method* method = value_or_raise(shadows::find_method(method_name));
   const auto values = value_or_raise(registry::values_from_json(method->entry.parameters, settings, method_name));
   const shadows::Casters casters = casters_of(file, alpha, light, is_point_light);
-  const Probes places = places_of(file.groom, {points, seen_from, camera, receivers});
+  const Asked asked{points, seen_from, camera, receivers, fibre_width};
+  const Probes places = places_of(file.groom, asked);
   return in_dictionary(
-      value_or_raise(interruptible([&] { return method->evaluate(casters, places.receivers(), values); })), places);
+      value_or_raise(interruptible([&] { return method->evaluate(casters, receivers_of(places, asked), values); })),
+      places);
 }
 
 /// Of three opacities: rows of red, green and blue.
 nb::object coloured(const GroomFile& file, const std::string& method_name, const std::string& settings,
                     const Triple& alpha, const Triple& light, bool is_point_light, const std::optional<Floats>& points,
-                    const std::optional<Triple>& seen_from, const std::optional<Triple>& camera,
-                    std::size_t receivers) {
+                    const std::optional<Triple>& seen_from, const std::optional<Triple>& camera, std::size_t receivers,
+                    double fibre_width) {
   const shadows::Method* method = value_or_raise(shadows::find_method(method_name));
   const auto values = value_or_raise(registry::values_from_json(method->entry.parameters, settings, method_name));
   const shadows::Casters casters = casters_of(file, alpha[0], light, is_point_light);
-  const Probes places = places_of(file.groom, {points, seen_from, camera, receivers});
-  const auto result = value_or_raise(interruptible(
-      [&] { return shadows::evaluate_channels(*method, casters, vector_of(alpha), places.receivers(), values); }));
+  const Asked asked{points, seen_from, camera, receivers, fibre_width};
+  const Probes places = places_of(file.groom, asked);
+  const auto result = value_or_raise(interruptible([&] {
+    return shadows::evaluate_channels(*method, casters, vector_of(alpha), receivers_of(places, asked), values);
+  }));
   return rows_of_three(result.values);
 }
 
@@ -121,9 +132,9 @@ nb::object coloured(const GroomFile& file, const std::string& method_name, const
 
 void add_shadows(nb::module_& module) {
   module.def("transmittance", &transmittance, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(),
-             nb::arg().none(), nb::arg().none(), nb::arg().none(), nb::arg());
+             nb::arg().none(), nb::arg().none(), nb::arg().none(), nb::arg(), nb::arg());
   module.def("coloured_transmittance", &coloured, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(),
-             nb::arg().none(), nb::arg().none(), nb::arg().none(), nb::arg());
+             nb::arg().none(), nb::arg().none(), nb::arg().none(), nb::arg(), nb::arg());
   module.def("footprint_radius", [](const GroomFile& file) { return shadows::default_footprint_radius(file.groom); });
 }
 

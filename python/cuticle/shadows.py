@@ -13,13 +13,15 @@ __all__ = ["footprint_radius", "methods", "transmittance", "truth"]
 
 
 def transmittance(groom, light=(0, 1, 0), points=None, method="deep_opacity", *, alpha=0.4, point_light=False, seen_from=None, camera=None, receivers=2000,
-                  details=False, progress=None, **settings):
+                  fibre_width=1.0, details=False, progress=None, **settings):
     """Transmittance of light to points, 0 .. 1, by a shadow method (`cuticle.methods()`) with its parameters by name.
 
     light: direction to the light (of any length), or with point_light=True its place in metres. points: (n, 3), metres; none: the
     groom's vertices, where a fibre does not shadow itself. seen_from: a viewer's place, metres, who sees these vertices' surface,
     as pictures do. camera: direction to an orthographic camera, instead: at most `receivers` points that its pixels see. alpha:
-    opacity of one fibre crossing, 0 .. 1, or (3) for red, green and blue. Result: float32 (n), or (n, 3) of three opacities; with
+    opacity of one fibre crossing, 0 .. 1, or (3) for red, green and blue. fibre_width: of the fibres that a strand stands for, as a
+    share of the strand's width, 0 .. 1: at the groom's own points what lies within such a fibre is left out (the truth knows strands
+    alone). Result: float32 (n), or (n, 3) of three opacities; with
     details a dictionary with values, points, clamped, build_ms, lookup_ms, bytes, device and, of the truth, standard_error and
     occluders (metres). progress: True (tqdm) or a function of task, done, total.
 
@@ -29,7 +31,9 @@ def transmittance(groom, light=(0, 1, 0), points=None, method="deep_opacity", *,
     if "lamp" in settings:
         warnings.warn("'lamp' is called 'point_light' now; the next version no longer reads the former name", stacklevel=2)
         point_light = settings.pop("lamp")
-    arguments = (triple("light", light), bool(point_light), *_places(points, seen_from, camera, receivers))
+    if not 0 <= fibre_width <= 1:
+        raise Error(f"fibre_width = {fibre_width}: outside 0 .. 1")
+    arguments = (triple("light", light), bool(point_light), *_places(points, seen_from, camera, receivers), float(fibre_width))
     opacity = numbers("alpha", alpha)
     if opacity.ndim == 0:
         with ticking(progress, method):

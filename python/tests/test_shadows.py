@@ -70,6 +70,17 @@ def test_Transmittance_SeenFromEitherSide_IsThatOfTheSideSeen():
     assert lit > 0.95 and lit >= dark
 
 
+def test_Transmittance_OfStrandsThatStandForManyFibres_LeavesOutWhatLiesWithinAFibre():
+    """A tress whose wide strands lie within each other: more of it is in front of a fibre than of a strand's surface."""
+    roots = numpy.random.default_rng(1).uniform(-0.01, 0.01, (400, 3)) * [0, 1, 1]
+    tress = cuticle.make_groom(roots[:, None] + numpy.linspace(-0.02, 0.02, 5)[:, None] * [1, 0, 0], radii=1e-3)
+    seen = {"seen_from": (0, 1, 0.2), "alpha": 0.2, "resolution": 512}
+    strands, fibres = (cuticle.shadows.transmittance(tress, (0, 1, 0), fibre_width=width, **seen).mean() for width in (1, 0.1))
+    assert 0 < fibres < 0.9 * strands
+    with pytest.raises(cuticle.Error, match="fibre_width = 2: outside 0 .. 1"):
+        cuticle.shadows.transmittance(sheet(), fibre_width=2)
+
+
 def test_Transmittance_OfThreeOpacities_AtWhatACameraSees():
     assert cuticle.shadows.transmittance(sheet(), camera=(0, 1, 0), receivers=50, alpha=(0.2, 0.4, 0.6)).shape[1] == 3
 
