@@ -27,7 +27,7 @@ class MeshDraw {
   gpu::GraphicsPipeline pipeline_;
   gpu::Buffer indices_, frame_;
   gpu::Buffer no_hair_;  ///< bound where no hair casts
-  gpu::Texture no_map_;
+  gpu::Texture no_map_;  ///< where nothing casts
   std::uint32_t index_count_ = 0;
 };
 

@@ -28,7 +28,7 @@ vec3 texel_of(uint light, vec3 world) {
   return at.w > 0.0 ? at.xyz / at.w : vec3(-1.0);
 }
 
-// The linear number that is 0 along `axis` through a point, and 1 at the point + `to`.
+// The linear function that is 0 along `axis` through a point, and 1 at the point + `to`.
 vec3 linear(vec2 axis, vec2 to, vec2 point) {
   const float area = to.x * axis.y - to.y * axis.x;
   const vec2 slope = vec2(axis.y, -axis.x) / area;
@@ -70,7 +70,7 @@ ivec2 covered_texels(Strip strip, int row, ivec2 own) {
   hold(one - strip.along, y, interval);
   hold(edge - strip.aside, y, interval);
   hold(edge + strip.aside, y, interval);
-  return clamp(ivec2(ceil(interval - 0.5)), own.x, own.y);
+  return clamp(ivec2(ceil(clamp(interval, -1e6, 1e6) - 0.5)), own.x, own.y);
 }
 
 void leave(Strip strip, uint strand, ivec2 texel) {
