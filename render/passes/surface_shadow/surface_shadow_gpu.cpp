@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include <fmt/core.h>
 #include <glm/common.hpp>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
@@ -189,7 +190,11 @@ class SurfaceShadow : public GpuPass {
   /// The last may repeat rows of the one before, which changes nothing.
   Result<void> make_bands(const glm::ivec2& size) {
     const std::size_t row_bytes = std::size_t(size.x) * sizeof(float);
-    CUTICLE_ASSIGN(maps_.hair, device_->make_texel_buffer(std::size_t(size.y) * row_bytes, gpu::TextureFormat::r32u));
+    auto hair = device_->make_texel_buffer(std::size_t(size.y) * row_bytes, gpu::TextureFormat::r32u);
+    if (!hair)
+      return Error{hair.error().kind, fmt::format("surface_shadow: hair's maps: {}", hair.error().message),
+                   "lower passes.surface_shadow.resolution"};
+    maps_.hair = std::move(*hair);
     const auto rows = std::uint32_t(size.y), parts = (rows + k_rows_of_a_part - 1) / k_rows_of_a_part;
     const std::uint32_t bands =
         hair_bands(settings_.resolution, settings_.lights, device_->info().max_storage_buffer_bytes);
