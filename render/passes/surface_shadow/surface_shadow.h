@@ -17,9 +17,10 @@ void describe(registry::Members& members, Parameters& parameters);
 /// Texels of the lights' maps side by side.
 glm::ivec2 texture_size(int resolution, int lights);
 
-/// Hair is drawn into so many bands of them, one dispatch each, since a binding of a storage buffer holds so many
-/// bytes; as for the most opacities, whose maps lie one below the other. Bands begin at multiples of so many rows.
+/// Bands of rows, in each of which hair is drawn by one dispatch, begin at multiples of so many rows.
 constexpr std::uint32_t k_rows_of_a_part = 64;
+/// How many bands there are: each is no larger than one binding of a storage buffer. Counted for three opacities, whose
+/// maps lie one below the other.
 std::uint32_t hair_bands(int resolution, int lights, std::uint64_t max_storage_buffer_bytes);
 
 /// What surfaces and hair cast on each other.
