@@ -111,7 +111,7 @@ function(cuticle_test_groups)
   endforeach()
 endfunction()
 
-# cuticle_fuzz(file_fuzz.cpp LIBS targets): a libFuzzer target, built by the preset `asan-ubsan`, run by scripts/test.sh. ctest runs it over
+# cuticle_fuzz(file_fuzz.cpp LIBS targets): a libFuzzer target, built by the preset `asan-ubsan`, run by scripts/test.sh --ci. ctest runs it over
 # the inputs in tests/fuzz/NAME: seeds, and whatever once was a finding.
 function(cuticle_fuzz_inputs NAME)
   if(IS_DIRECTORY ${PROJECT_SOURCE_DIR}/tests/fuzz/${NAME})

@@ -89,8 +89,8 @@ def heat(grid):
 
 
 def all_of(plots, grids):
-    """The files of all of them, in their order; several processes draw where there are many."""
-    if len(plots) + len(grids) < MANY or (os.cpu_count() or 1) < 2:
+    """The files of all of them, in their order; several processes draw where there are many and this is not one of several."""
+    if len(plots) + len(grids) < MANY or (os.cpu_count() or 1) < 2 or multiprocessing.parent_process():
         return iter([plot_of(plot) for plot in plots] + [heat(grid) for grid in grids])
     with concurrent.futures.ProcessPoolExecutor(min(4, os.cpu_count()), multiprocessing.get_context("fork")) as pool:
         return iter([*pool.map(plot_of, plots, chunksize=4), *pool.map(heat, grids)])

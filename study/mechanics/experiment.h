@@ -1,6 +1,7 @@
 #pragma once
 // Private to study/mechanics: an experiment whose result is known, and strands to run it with.
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,8 +40,9 @@ struct Experiment {
   std::vector<Contestant> contestants = {};
 };
 
-/// Runs every contestant once and adds a group (error, residual, time of all its runs) and a figure.
-Result<void> add_experiment(Study& study, const Experiment& experiment, Progress& progress);
+/// Runs every contestant at each of its values, several runs at once, each on one thread, and adds a group for each
+/// experiment (error, residual, processor time of a run) and a figure.
+Result<void> add_experiments(Study& study, std::span<const Experiment> experiments, Progress& progress);
 
 /// `many` in full, with `quick` every other from the first.
 std::vector<double> some_of(const std::vector<double>& many, bool quick);

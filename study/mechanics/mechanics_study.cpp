@@ -56,11 +56,9 @@ Result<Study> mechanics_study(const MechanicsRequest& request, Progress& progres
               .question = "Does each solver give what a laboratory would measure, and what does a run cost?",
               .cost_label = "one run, mean over the parameter"};
   CUTICLE_ASSIGN(const std::vector<std::string> names, chosen(request.experiments));
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    progress.update("experiments", k, names.size());
-    CUTICLE_TRY(add_experiment(study, find(names[k])->make(request.quick), progress));
-  }
-  progress.update("experiments", names.size(), names.size());
+  std::vector<mechanics::Experiment> experiments;
+  for (const std::string& name : names) experiments.push_back(find(name)->make(request.quick));
+  CUTICLE_TRY(mechanics::add_experiments(study, experiments, progress));
   study.notes = {
       "classic and exact have no bending: they take part where limp hair does. classic has no friction.",
       "Rod with no steps through time is the equilibrium of `simulate --rest`: its residual is the largest moment "
