@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
-# The tests: scripts/test.sh [--ci | --full]. Builds `release` and runs its tests. --ci adds what continuous integration runs
-# besides: the CPU tests under ASan + UBSan, and the fuzzers of every reader (the same inputs in every run). --full adds to
-# that fuzzing of each for 10 minutes from random seeds, the sweeps under sanitizers, ThreadSanitizer, valgrind, GPU-assisted
-# validation and the presets `minimal`, `double` and `dev`.
+# The tests: scripts/test.sh [--ci | --full]. Builds `release` and runs its tests, but for those with the label `long`. --ci adds
+# these and what else continuous integration runs: the CPU tests under ASan + UBSan, and the fuzzers of every reader (the same
+# inputs in every run). --full adds to that fuzzing of each for 10 minutes from random seeds, the sweeps under sanitizers,
+# ThreadSanitizer, valgrind, GPU-assisted validation and the presets `minimal`, `double` and `dev`.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 parts=${1:-release}
+some=()
 case $parts in
-  release | --ci) ;;
+  release) some=(--label-exclude '^long$') ;;
+  --ci) ;;
   --full) export CUTICLE_SWEEPS=ON ;;
   *) echo "test.sh: unknown option $parts: expected --ci or --full, or none" >&2 && exit 2 ;;
 esac
@@ -18,7 +20,7 @@ scripts/setup.sh
 say "build release"
 scripts/build.sh release
 say "tests of release"
-ctest --preset release -j2 --output-junit "$PWD/build/release/report.xml"
+ctest --preset release -j2 ${some[@]:+"${some[@]}"} --output-junit "$PWD/build/release/report.xml"
 say "rows of docs/systems.md that ran and passed"
 scripts/coverage-of-systems
 

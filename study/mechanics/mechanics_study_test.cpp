@@ -42,6 +42,27 @@ TEST(MechanicsStudy, Experiments_AreMetWithinWhatWasMeasured) {
   }
 }
 
+std::vector<std::vector<double>> errors_of(const Study& study, const std::string& experiment) {
+  std::vector<std::vector<double>> errors;
+  for (const Group& group : study.groups)
+    for (const Point& point : group.points)
+      if (group.name == experiment) errors.push_back(point.measure()->errors[0]);
+  return errors;
+}
+
+/// Runs of several experiments are carried out at once and are told apart by their order.
+TEST(MechanicsStudy, ExperimentsTogether_GiveWhatEachGivesAlone) {
+  const std::vector<std::string> names = {"hanging_chain", "clamped_beam", "cantilever"};
+  const auto together = mechanics_study({true, names}, silent_progress());
+  ASSERT_TRUE(together.ok()) << together.error().message;
+  for (const std::string& name : names) {
+    const auto alone = mechanics_study({true, {name}}, silent_progress());
+    ASSERT_TRUE(alone.ok()) << alone.error().message;
+    EXPECT_FALSE(errors_of(*alone, name).empty());
+    EXPECT_EQ(errors_of(*together, name), errors_of(*alone, name)) << name;
+  }
+}
+
 TEST(MechanicsStudy, ExperimentThatIsNotKnown_IsRefusedWithTheNames) {
   const auto study = mechanics_study({true, {"cantilevers"}}, silent_progress());
   ASSERT_FALSE(study.ok());
