@@ -2,7 +2,7 @@
 # LABELS carry the ids of the rows of systems.md that the file covers. DATA: registered only when the environment
 # variable CUTICLE_TEST_DATA names the folder of real grooms at configure time. ALONE: a program of its own, which the caller may set up further.
 # SWEEP: many points or heavy headers, around code that other tests run too; under sanitizers only with CUTICLE_SWEEPS in the environment (test.sh --full).
-# The label `long`: takes half a minute or more and is run by scripts/test.sh --ci, not by scripts/test.sh alone.
+# The label `long`: run by scripts/test.sh --ci, not by scripts/test.sh alone.
 # The targets `all_tests` and `all_fuzz_targets` build just what their runs need.
 add_custom_target(all_tests)
 add_custom_target(all_fuzz_targets)

@@ -1,13 +1,10 @@
 """Curves, polar curves and heat maps at column width, as PDF and SVG; the interactive ones are in curves and report."""
-import concurrent.futures
 import math
-import multiprocessing
-import os
 
 from matplotlib import pyplot
 import numpy
 
-from . import curves, look
+from . import curves, look, processes
 from .pareto import files_of
 
 MANY = 12
@@ -89,8 +86,5 @@ def heat(grid):
 
 
 def all_of(plots, grids):
-    """The files of all of them, in their order; several processes draw where there are many and this is not one of several."""
-    if len(plots) + len(grids) < MANY or (os.cpu_count() or 1) < 2 or multiprocessing.parent_process():
-        return iter([plot_of(plot) for plot in plots] + [heat(grid) for grid in grids])
-    with concurrent.futures.ProcessPoolExecutor(min(4, os.cpu_count()), multiprocessing.get_context("fork")) as pool:
-        return iter([*pool.map(plot_of, plots, chunksize=4), *pool.map(heat, grids)])
+    """The files of all of them, in their order."""
+    return iter([*processes.mapped(plot_of, plots, least=MANY, chunk=4), *processes.mapped(heat, grids)])

@@ -1,19 +1,15 @@
 """One page for one study or for all: findings, error against time, tables, pictures beside each other; one file, no network."""
 import base64
-import concurrent.futures
 import csv
 import dataclasses
 import io
-import itertools
-import multiprocessing
-import os
 import pathlib
 
 import jinja2
 import plotly.graph_objects
 import plotly.offline
 
-from . import ReportError, curves, findings, flip, growth, knobs, ladder, look, page, pareto, printed_curves, results, states
+from . import ReportError, curves, findings, flip, growth, knobs, ladder, look, page, pareto, printed_curves, processes, results, states
 
 HERE = pathlib.Path(__file__).parent
 LEAST_SPAN = 2  # of times that an exponent is told of
@@ -252,21 +248,14 @@ def section_of(study, everything=None):
     return {"study": study, "groups": groups, "plots": plots, "views": views(study, means), "every_model": everything if study.name == "models" else None}
 
 
-def sections_of(studies, everything):
-    """Of all of them, in their order; several processes make them where there are several."""
-    if len(studies) < 2 or (os.cpu_count() or 1) < 2:
-        return [section_of(study, everything) for study in studies]
-    with concurrent.futures.ProcessPoolExecutor(min(4, os.cpu_count()), multiprocessing.get_context("fork")) as pool:
-        return list(pool.map(section_of, studies, itertools.repeat(everything)))
-
-
 def make(folder):
     """Writes folder/index.html from the results in it or in its folders."""
     studies = results.load_all(folder)
     if not studies:
         raise ReportError(f"{folder}: holds no result.json, nor does a folder in it")
     everything = every_model(studies)
-    sections = sections_of(sorted(studies, key=lambda study: (findings.ORDER.index(study.name) if study.name in findings.ORDER else 99, study.name)), everything)
+    ordered = sorted(studies, key=lambda study: (findings.ORDER.index(study.name) if study.name in findings.ORDER else 99, study.name))
+    sections = processes.mapped(section_of, ordered, [everything] * len(ordered))
     thumbnails = {figure.identity: figure.thumbnail for section in sections for figure in [*(part["figure"] for part in section["groups"] if part["figure"]), *section["plots"]]}
     environment = jinja2.Environment(loader=jinja2.PackageLoader(__package__), autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True)
     title = studies[0].raw["title"] if len(studies) == 1 else "What accuracy costs in time: hair, from its fibres to the final picture"

@@ -19,7 +19,7 @@ const StudyEntry& mechanics_entry() {
       .options = {{"experiments", "", "some of them, a,b,c; none: all", true}},
       .declare = declare_mechanics,
       .quick_seconds = 18,
-      .seconds = 30};
+      .seconds = 44};
   return entry;
 }
 
